@@ -1,0 +1,4 @@
+//! bevelscope
+pub mod agreement;
+pub mod comparison;
+pub mod design;
