@@ -2,3 +2,6 @@
 pub mod agreement;
 pub mod comparison;
 pub mod design;
+pub mod model;
+pub mod response;
+pub mod rotor;
