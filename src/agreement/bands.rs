@@ -50,8 +50,7 @@ pub fn agreement_limit(frequency_hz: &[f64], lumped: &[Complex64], fe: &[Complex
     for band in sixth_octave_bands(frequency_hz) {
         let power = |force: &[Complex64]| force[band.lines.clone()].iter().map(Complex64::norm_sqr).sum::<f64>();
         let difference = 10.0 * (power(lumped) / power(fe)).log10();
-        // written so that a difference that is no number ends the walk
-        if !(difference.abs() <= tolerance.band_level_db) {
+        if difference.is_nan() || difference.abs() > tolerance.band_level_db {
             break;
         }
         limit = band.high_hz.min(highest);

@@ -159,6 +159,7 @@ pub struct Bearing {
 }
 
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a rotor has a handful of bearings")]
 pub enum BearingModel {
     /// Five independent springs.
     Diagonal(DiagonalBearing),

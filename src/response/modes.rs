@@ -61,8 +61,8 @@ impl Modes {
             };
             let frequency_hz = eigenvalue.value(lambda).max(0.0).sqrt() / TAU;
             let (top, bottom) = (model.pinion.coordinates.len(), model.gear.coordinates.len());
-            let energy = energies(&model.pinion, shape.rows(0, top).into_owned())
-                .chain(energies(&model.gear, shape.rows(top, bottom).into_owned()))
+            let energy = energies(&model.pinion, &shape.rows(0, top).into_owned())
+                .chain(energies(&model.gear, &shape.rows(top, bottom).into_owned()))
                 .collect::<Vec<_>>();
             let total: f64 = energy.iter().map(|(_, energy)| energy).sum();
             let shares = |part: &[(Motion, f64)]| share(part, total);
@@ -74,9 +74,8 @@ impl Modes {
 }
 
 /// Kinetic energy phi_i (M phi)_i of each coordinate of a rotor.
-fn energies(rotor: &RotorModel, shape: DVector<f64>) -> impl Iterator<Item = (Motion, f64)> + '_ {
-    let momentum = &rotor.mass * &shape;
-    let products = shape.component_mul(&momentum);
+fn energies<'a>(rotor: &'a RotorModel, shape: &DVector<f64>) -> impl Iterator<Item = (Motion, f64)> + use<'a> {
+    let products = shape.component_mul(&(&rotor.mass * shape));
     rotor.coordinates.iter().enumerate().map(move |(i, coordinate)| (coordinate.motion, products[i]))
 }
 

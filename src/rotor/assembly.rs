@@ -52,6 +52,7 @@ impl ShaftMatrices {
 /// shaft would not notice, since rounding turns a zero into a small number of either sign.
 pub fn check_supported(stations: &Stations, supports: &Supports) -> Result<(), RotorError> {
     const UNSUPPORTED: f64 = 1e-14;
+    const MOTIONS: [Motion; 5] = [Motion::X, Motion::Y, Motion::Z, Motion::ThX, Motion::ThZ];
     let n = 6 * stations.count();
     let mut ground = DMatrix::zeros(n, n);
     supports.add_to(&mut ground, &stations.bearings);
@@ -101,7 +102,6 @@ pub fn check_supported(stations: &Stations, supports: &Supports) -> Result<(), R
     if most == 0.0 {
         return Ok(());
     }
-    const MOTIONS: [Motion; 5] = [Motion::X, Motion::Y, Motion::Z, Motion::ThX, Motion::ThZ];
     let named = |share: f64| share > 0.5 || share == most;
     let motions = MOTIONS.into_iter().zip(freedom).filter(|(_, share)| named(*share)).map(|(motion, _)| motion);
     Err(RotorError::Unsupported(motions.collect()))

@@ -66,7 +66,7 @@ impl Bending {
     }
 }
 
-/// Bending in the x-y and in the y-z plane.
+/// Bending in the x-y and in the y-z plane; transfer matrices want the coarsest stations.
 pub fn in_both_planes(
     rotor: &RotorDesign,
     stations: &Stations,

@@ -103,8 +103,9 @@ impl Rotor {
         let supports = Supports::new(rotor)?;
         assembly::check_supported(&stations, &supports)?;
         let totals = Totals::new(rotor, &stations);
-        let statics = Statics::new(rotor, &stations, &supports)?;
-        let [bending_x, bending_z] = bending::in_both_planes(rotor, &stations, &supports, &statics)?;
+        let coarse = stations.coarsened();
+        let statics = Statics::new(rotor, &coarse, &supports)?;
+        let [bending_x, bending_z] = bending::in_both_planes(rotor, &coarse, &supports, &statics)?;
         Ok(Self { stations, supports, totals, statics, bending_x, bending_z })
     }
 }

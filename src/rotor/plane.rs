@@ -68,7 +68,6 @@ pub struct Plane {
 impl Plane {
     /// In-plane model after Kc and before Khb; couplings to the other plane and to the axial direction are left out.
     pub fn new(rotor: &RotorDesign, stations: &Stations, supports: &Supports, plane: BendingPlane) -> Self {
-        let stations = stations.coarsened();
         let length = stations.positions[stations.count() - 1] - stations.positions[0];
         let bending = stations.sections.iter().map(|section| section.bending_stiffness).fold(0.0, f64::max);
         let pieces = stations.sections.iter().enumerate().map(|(i, section)| Piece {

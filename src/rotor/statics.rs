@@ -21,10 +21,14 @@ pub struct Statics {
 
 impl Statics {
     /// Solves the shaft under unit loads at the mesh station (eq. 35: the inverse of its compliance).
+    ///
+    /// Static shapes are exact over uniform pieces: the coarsest stations have the least rounding.
+    ///
+    /// # Errors
+    ///
+    /// A rigid bearing at the mesh station, or values that overflow or lie too far apart.
     pub fn new(rotor: &RotorDesign, stations: &Stations, supports: &Supports) -> Result<Self, RotorError> {
-        // static shapes are exact over uniform pieces: the coarsest mesh has the least rounding
-        let stations = stations.coarsened();
-        let shaft = ShaftMatrices::new(rotor, &stations, supports);
+        let shaft = ShaftMatrices::new(rotor, stations, supports);
         let kept: Vec<usize> = (0..shaft.free.len()).filter(|&i| shaft.free[i] && i % 6 != 4).collect();
         let mesh: Vec<usize> = HELD_BY_BEARINGS
             .iter()

@@ -27,6 +27,10 @@ pub struct Stations {
 
 impl Stations {
     /// Stations at every segment end and inner element end, and at every body, bearing, the mesh and the drive.
+    ///
+    /// # Errors
+    ///
+    /// More than [`MOST_STATIONS`], a position off the shaft, or a material that the design does not have.
     pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
         let requested = rotor.segments.iter().fold(1_usize, |sum, segment| sum.saturating_add(segment.elements));
         if requested > MOST_STATIONS {
@@ -93,6 +97,7 @@ impl Stations {
     ///
     /// Static shapes and transfer matrices are exact over a uniform piece of any length, so that there finer elements
     /// only add rounding errors.
+    #[must_use]
     pub fn coarsened(&self) -> Self {
         let last = self.count() - 1;
         let occupied =

@@ -37,6 +37,11 @@ enum Housing {
 }
 
 impl Supports {
+    /// Applies Kc to each bearing and decides how Khb acts.
+    ///
+    /// # Errors
+    ///
+    /// Kc on a bearing that holds y, or Khb with rigid and elastic axial supports mixed or with two rigid ones.
     pub fn new(rotor: &RotorDesign) -> Result<Self, RotorError> {
         let bearings = rotor.bearings.iter().map(support).collect::<Result<Vec<_>, _>>()?;
         let housing = match rotor.housing_axial_stiffness {
