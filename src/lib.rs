@@ -2,3 +2,5 @@
 pub mod agreement;
 pub mod comparison;
 pub mod design;
+pub mod text;
+pub mod units;
