@@ -5,3 +5,5 @@ pub mod design;
 pub mod model;
 pub mod response;
 pub mod rotor;
+pub mod text;
+pub mod units;

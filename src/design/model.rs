@@ -1,70 +1,155 @@
-//! What a design says, as typed values in SI units.
+//! What a design says, as typed values in SI units: m, N/m, N m/rad, kg, kg m^2, Pa, kg/m^3, Hz.
+//!
+//! Each field is declared here once, with its key in files, its quantity (which gives the file's unit), its limits and
+//! what happens where it is not written.
 
 use std::collections::BTreeMap;
 
-/// A pair of geared rotors with everything needed to solve it.
-///
-/// A `Design` that came out of [`read`](super::read) has passed every check that needs no mechanics.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Design {
-    pub name: String,
-    pub description: Option<String>,
-    pub tags: Vec<String>,
-    /// File stem of the design this variant came from.
-    pub parent: Option<String>,
-    pub note: Option<String>,
-    pub analysis: Analysis,
-    /// By name; `steel` is always there.
-    pub materials: BTreeMap<String, Material>,
-    pub mesh: Mesh,
-    pub pinion: RotorDesign,
-    pub gear: RotorDesign,
+use super::rotor::RotorDesign;
+use super::schema::{Field, Kind, Limit, Presence, Written};
+use crate::units::Quantity;
+
+/// The newest format of design files that is understood.
+pub const FORMAT: u64 = 1;
+
+tables! {
+    /// A pair of geared rotors with everything needed to solve it.
+    /// A `Design` that came out of [`read`](super::read()) has passed every check that needs no mechanics.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Design as "design" {
+        /// Name of the design.
+        pub name: String = "name", Kind::Name, Presence::Required;
+        /// What the design is about.
+        pub description: Option<String> = "description", Kind::Text, Presence::Optional;
+        /// Words to find it by.
+        pub tags: Vec<String> = "tags", Kind::Texts, Presence::Default(Written::Empty);
+        /// File stem of the design that this variant came from.
+        pub parent: Option<String> = "parent", Kind::Text, Presence::Optional;
+        /// Whatever is worth remembering.
+        pub note: Option<String> = "note", Kind::Text, Presence::Optional;
+        /// Frequency lines, damping and beam theory.
+        pub analysis: Analysis = "analysis", Kind::Table(Analysis::TABLE), Presence::Default(Written::Empty);
+        /// Materials by name; `steel` is always there.
+        pub materials: BTreeMap<String, Material> = "material",
+            Kind::NamedTables(Material::TABLE), Presence::Default(Written::Empty);
+        /// The tooth mesh.
+        pub mesh: Mesh = "mesh", Kind::Table(Mesh::TABLE), Presence::Required;
+        /// The driving rotor.
+        pub pinion: RotorDesign = "pinion", Kind::Table(RotorDesign::TABLE), Presence::Required;
+        /// The driven rotor.
+        pub gear: RotorDesign = "gear", Kind::Table(RotorDesign::TABLE), Presence::Required;
+    }
+    also Field {
+        name: "",
+        key: "format",
+        doc: "Number of the file format.",
+        kind: Kind::Whole(1, FORMAT),
+        presence: Presence::Required,
+    };
+    also Field {
+        name: "",
+        key: "operating",
+        doc: "Torque and speed of the pinion.",
+        kind: Kind::Unsupported { replaces: &[] },
+        presence: Presence::Optional,
+    };
+
+    /// The frequency lines, the damping and the beam theory.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Analysis as "analysis" {
+        /// Lowest line.
+        pub frequency_min: f64 = "frequency_min_hz",
+            Kind::Number(Quantity::Frequency, Limit::Positive), Presence::Default(Written::Number(10.0));
+        /// Highest line.
+        pub frequency_max: f64 = "frequency_max_hz",
+            Kind::Number(Quantity::Frequency, Limit::Positive), Presence::Default(Written::Number(5000.0));
+        /// Number of lines, both ends included.
+        pub frequency_lines: usize = "frequency_lines",
+            Kind::Whole(2, 1_000_000), Presence::Default(Written::Whole(1000));
+        /// How the lines are spread.
+        pub frequency_spacing: FrequencySpacing = "frequency_spacing",
+            Kind::Word(FrequencySpacing::WORDS), Presence::Default(Written::Text("linear"));
+        /// `zeta_s` of shafts and bearings: a loss factor, or seconds where the damping is viscous.
+        pub structural_damping: f64 = "structural_damping",
+            Kind::Number(Quantity::Damping, Limit::NotNegative), Presence::Default(Written::Number(0.03));
+        /// How the damping ratios act.
+        pub damping_model: DampingModel = "damping_model",
+            Kind::Word(DampingModel::WORDS), Presence::Default(Written::Text("hysteretic"));
+        /// Theory of the beam elements.
+        pub beam_theory: BeamTheory = "beam_theory",
+            Kind::Word(BeamTheory::WORDS), Presence::Default(Written::Text("timoshenko"));
+    }
+
+    /// An isotropic elastic material.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Material as "material" {
+        /// Young's modulus.
+        pub youngs_modulus: f64 = "youngs_modulus_gpa",
+            Kind::Number(Quantity::ElasticModulus, Limit::Positive), Presence::DefaultIn(STEEL, Written::Number(206.0));
+        /// Poisson's ratio.
+        pub poissons_ratio: f64 = "poissons_ratio",
+            Kind::Number(Quantity::Ratio, Limit::Between(-1.0, 0.5)), Presence::DefaultIn(STEEL, Written::Number(0.3));
+        /// Density.
+        pub density: f64 = "density_kg_per_m3",
+            Kind::Number(Quantity::Density, Limit::Positive), Presence::DefaultIn(STEEL, Written::Number(7850.0));
+    }
+
+    /// The tooth mesh: one averaged spring along the line of action.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Mesh as "mesh" {
+        /// Mesh stiffness `k_m`.
+        pub stiffness: f64 = "stiffness_n_per_m",
+            Kind::Number(Quantity::Stiffness, Limit::Positive), Presence::Required;
+        /// Mesh damping `zeta_m`: a loss factor, or seconds where the damping is viscous.
+        pub damping: f64 = "damping", Kind::Number(Quantity::Damping, Limit::NotNegative), Presence::Required;
+        /// Amplitude e of the static transmission error.
+        pub transmission_error: f64 = "transmission_error_um",
+            Kind::Number(Quantity::Deflection, Limit::Positive), Presence::Required;
+        /// The mesh in the pinion's frame.
+        pub pinion: MeshVectors = "pinion", Kind::Table(MeshVectors::TABLE), Presence::Required;
+        /// The mesh in the gear's frame.
+        pub gear: MeshVectors = "gear", Kind::Table(MeshVectors::TABLE), Presence::Required;
+    }
+    also Field {
+        name: "",
+        key: "geometry",
+        doc: "Gear data in place of the mesh vectors.",
+        kind: Kind::Unsupported { replaces: &["pinion", "gear"] },
+        presence: Presence::Optional,
+    };
+
+    /// Mesh point and line of action in one shaft's own frame (x, y along the shaft, z).
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct MeshVectors as "mesh side" {
+        /// Mesh point relative to the mesh station.
+        pub point: [f64; 3] = "point_mm", Kind::Vector(Quantity::Length), Presence::Required;
+        /// Unit vector of the force on this shaft.
+        pub line_of_action: [f64; 3] = "line_of_action", Kind::Vector(Quantity::Ratio), Presence::Required;
+    }
 }
 
-/// The frequency lines, the damping and the beam theory.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Analysis {
-    /// Lowest line, Hz.
-    pub frequency_min: f64,
-    /// Highest line, Hz.
-    pub frequency_max: f64,
-    /// Number of lines, both ends included; at least 2.
-    pub frequency_lines: usize,
-    pub frequency_spacing: FrequencySpacing,
-    /// zeta_s: a loss factor, or seconds where the damping is viscous.
-    pub structural_damping: f64,
-    pub damping_model: DampingModel,
-    pub beam_theory: BeamTheory,
-}
+/// The material that exists without being written.
+pub const STEEL: &str = "steel";
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrequencySpacing {
-    Linear,
-    Log,
-}
+words! {
+    /// How the frequency lines are spread between lowest and highest.
+    pub enum FrequencySpacing {
+        Linear = "linear",
+        Log = "log",
+    }
 
-/// How the damping ratios act (Hua et al. 2012, eqs. 11-14).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DampingModel {
-    /// K (1 + j zeta): zeta is a loss factor.
-    Hysteretic,
-    /// K (1 + j w zeta): zeta is in seconds.
-    Viscous,
-}
+    /// How the damping ratios act (Hua et al. 2012, eqs. 11-14): K (1 + j zeta) with zeta a loss factor, or K (1 + j w zeta)
+    /// with zeta in seconds.
+    pub enum DampingModel {
+        Hysteretic = "hysteretic",
+        Viscous = "viscous",
+    }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BeamTheory {
-    EulerBernoulli,
-    Timoshenko,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Material {
-    /// Pa
-    pub youngs_modulus: f64,
-    pub poissons_ratio: f64,
-    /// kg/m^3
-    pub density: f64,
+    /// Theory of the beam elements.
+    pub enum BeamTheory {
+        EulerBernoulli = "euler-bernoulli",
+        Timoshenko = "timoshenko",
+    }
 }
 
 impl Material {
@@ -72,131 +157,4 @@ impl Material {
     pub fn shear_modulus(&self) -> f64 {
         self.youngs_modulus / (2.0 * (1.0 + self.poissons_ratio))
     }
-}
-
-/// The tooth mesh: one averaged spring along the line of action.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Mesh {
-    /// k_m, N/m
-    pub stiffness: f64,
-    /// zeta_m, as [`Analysis::structural_damping`]
-    pub damping: f64,
-    /// Amplitude e of the static transmission error, m
-    pub transmission_error: f64,
-    pub pinion: MeshVectors,
-    pub gear: MeshVectors,
-}
-
-/// Mesh point and line of action in one shaft's own frame (x, y along the shaft, z).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeshVectors {
-    /// Relative to the mesh station, m
-    pub point: [f64; 3],
-    /// Unit vector
-    pub line_of_action: [f64; 3],
-}
-
-/// One shaft with what sits on it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RotorDesign {
-    pub teeth: Option<u32>,
-    /// Where the mesh acts: the lumped point, m from the shaft's start
-    pub mesh_position: f64,
-    /// Khb of the housing bolt, N/m
-    pub housing_axial_stiffness: Option<f64>,
-    pub segments: Vec<Segment>,
-    pub bodies: Vec<Body>,
-    pub bearings: Vec<Bearing>,
-    pub drive: Drive,
-}
-
-impl RotorDesign {
-    /// Length of the shaft, m.
-    pub fn length(&self) -> f64 {
-        self.segments.iter().map(|segment| segment.length).sum()
-    }
-}
-
-/// A cylindrical piece of a shaft.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Segment {
-    /// m
-    pub length: f64,
-    /// m
-    pub outer_diameter: f64,
-    /// m; 0 where the piece is solid
-    pub inner_diameter: f64,
-    /// A key of [`Design::materials`]
-    pub material: String,
-    /// How many beam elements of equal length it is split in; at least 1
-    pub elements: usize,
-}
-
-/// A rigid body on the shaft: pinion head, ring gear, differential.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Body {
-    /// Unique within the rotor
-    pub name: String,
-    /// m
-    pub position: f64,
-    /// kg
-    pub mass: f64,
-    /// kg m^2
-    pub diametral_inertia: f64,
-    /// kg m^2
-    pub polar_inertia: f64,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub struct Bearing {
-    /// Unique within the rotor
-    pub name: String,
-    /// m
-    pub position: f64,
-    /// Kc: a spring in series with the bearing's axial stiffness, N/m
-    pub axial_series_stiffness: Option<f64>,
-    pub model: BearingModel,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a rotor has a handful of bearings")]
-pub enum BearingModel {
-    /// Five independent springs.
-    Diagonal(DiagonalBearing),
-    /// 6x6 in the order x, y, z, thx, thy, thz (N/m, N, N m/rad); symmetric, positive semidefinite, thy zero.
-    Matrix([[f64; 6]; 6]),
-    /// Translations that are held.
-    Rigid(Hold),
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct DiagonalBearing {
-    /// N/m
-    pub kx: f64,
-    /// N/m, along the shaft
-    pub ky: f64,
-    /// N/m
-    pub kz: f64,
-    /// N m/rad
-    pub krx: f64,
-    /// N m/rad
-    pub krz: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Hold {
-    pub x: bool,
-    pub y: bool,
-    pub z: bool,
-}
-
-/// Engine or load: an inertia behind a torsional spring.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drive {
-    /// m
-    pub position: f64,
-    /// N m/rad
-    pub torsional_stiffness: f64,
-    /// kg m^2
-    pub inertia: f64,
 }

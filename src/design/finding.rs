@@ -1,0 +1,92 @@
+//! What is wrong, or worth a second look, in a design file.
+
+use std::cell::RefCell;
+use std::ops::Range;
+
+/// How bad a finding is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Severity {
+    /// The design cannot be used.
+    Error,
+    /// The design can be used; something in it looks unintended.
+    Warning,
+}
+
+impl Severity {
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+        }
+    }
+}
+
+/// One thing found while reading a design file. Texts may hold characters of the file: show them through
+/// [`render`](super::render), which makes them harmless.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    pub severity: Severity,
+    /// Which value it is about, by place: `pinion.segment[2].outer_diameter_mm`; empty where it is about the file.
+    pub key_path: String,
+    /// Bytes of the text it is about.
+    pub span: Option<Range<usize>>,
+    /// What is wrong and what is wanted, without the key path.
+    pub message: String,
+    /// What to do about it.
+    pub hint: Option<String>,
+}
+
+/// Collects findings while a file is read. Shared by everything that reads, so it is written to behind a shared reference.
+///
+/// A hostile file can have a million errors: past [`Collector::LIMIT`] they are counted but not kept.
+#[derive(Debug, Default)]
+pub(super) struct Collector {
+    kept: RefCell<Vec<Finding>>,
+    dropped: RefCell<usize>,
+}
+
+impl Collector {
+    pub const LIMIT: usize = 200;
+
+    pub fn push(&self, finding: Finding) {
+        let mut kept = self.kept.borrow_mut();
+        if kept.len() < Self::LIMIT || (finding.severity == Severity::Error && !kept.iter().any(is_error)) {
+            kept.push(finding);
+        } else {
+            *self.dropped.borrow_mut() += 1;
+        }
+    }
+
+    pub fn error(
+        &self,
+        key_path: &impl ToString,
+        span: Range<usize>,
+        message: impl Into<String>,
+        hint: Option<String>,
+    ) {
+        let (key_path, message) = (key_path.to_string(), message.into());
+        self.push(Finding { severity: Severity::Error, key_path, span: Some(span), message, hint });
+    }
+
+    /// True once nothing more is kept: callers may skip costly work on hints.
+    pub fn is_full(&self) -> bool {
+        self.kept.borrow().len() >= Self::LIMIT
+    }
+
+    /// The findings in the order of the text.
+    pub fn finish(self) -> Vec<Finding> {
+        let mut findings = self.kept.into_inner();
+        findings.sort_by_key(|finding| finding.span.as_ref().map_or(usize::MAX, |span| span.start));
+        let dropped = self.dropped.into_inner();
+        if dropped > 0 {
+            let severity = if findings.iter().any(is_error) { Severity::Error } else { Severity::Warning };
+            let message = format!("{dropped} more findings are not shown");
+            findings.push(Finding { severity, key_path: String::new(), span: None, message, hint: None });
+        }
+        findings
+    }
+}
+
+pub(super) fn is_error(finding: &Finding) -> bool {
+    finding.severity == Severity::Error
+}

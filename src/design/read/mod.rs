@@ -1,0 +1,122 @@
+//! From the text of a design file to a [`Design`], or to everything that is wrong with it.
+
+mod bearing;
+mod nearest;
+mod scalar;
+mod table;
+mod written;
+
+pub(super) use nearest::{did_you_mean, listed};
+pub(super) use table::{FromFile, FromTable, TableReader};
+
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use super::check;
+use super::finding::{Collector, Finding, Severity, is_error};
+use super::key_path::KeyPath;
+use super::model::{Design, FORMAT};
+
+/// A value of the file with its place in the text.
+pub(super) type Value<'r> = toml::Spanned<DeValue<'r>>;
+
+/// What reading a text gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// There, and checked, exactly if no finding is an error.
+    pub design: Option<Design>,
+    /// All errors and warnings, in the order of the text.
+    pub findings: Vec<Finding>,
+}
+
+impl Reading {
+    pub fn errors(&self) -> impl Iterator<Item = &Finding> {
+        self.findings.iter().filter(|finding| is_error(finding))
+    }
+
+    pub fn warnings(&self) -> impl Iterator<Item = &Finding> {
+        self.findings.iter().filter(|finding| !is_error(finding))
+    }
+}
+
+/// Reads the text of a design file and checks all that needs no mechanics. Everything wrong is found in one pass: a value
+/// that could not be read stands in as not-a-number, which no later check objects to.
+pub fn read(text: &str) -> Reading {
+    let findings = Collector::default();
+    let design = read_into(text, &findings);
+    let findings = findings.finish();
+    let design = design.filter(|_| !findings.iter().any(is_error));
+    Reading { design, findings }
+}
+
+fn read_into(text: &str, findings: &Collector) -> Option<Design> {
+    let (document, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        report_syntax(text, &errors, findings);
+        return None;
+    }
+    let root = document.get_ref();
+    if is_newer(root, findings) {
+        return None;
+    }
+    let mut reader = TableReader::root(root, text, findings);
+    let mut design = Design::from_table(&mut reader);
+    reader.finish();
+    check::check(&mut design, root, findings);
+    Some(design)
+}
+
+/// One finding a line: after the first error of a line the parser is guessing.
+fn report_syntax(text: &str, errors: &[toml::de::Error], findings: &Collector) {
+    let mut last_end_of_line = None;
+    for error in errors {
+        let span = error.span().unwrap_or(0..0);
+        let start = span.start.min(text.len());
+        let end_of_line = text.as_bytes()[start..].iter().position(|byte| *byte == b'\n').map(|line| start + line);
+        if last_end_of_line != Some(end_of_line) {
+            last_end_of_line = Some(end_of_line);
+            findings.error(&KeyPath::root(), span, format!("not TOML: {}", error.message()), None);
+        }
+        if findings.is_full() {
+            return;
+        }
+    }
+}
+
+/// A newer file may hold anything, so that is all there is to say about it.
+fn is_newer(root: &DeTable<'_>, findings: &Collector) -> bool {
+    let Some(value) = root.get("format") else { return false };
+    let newer = scalar::as_number(value.get_ref()).is_ok_and(|number| number > FORMAT as f64);
+    if newer {
+        let message = format!("written by a newer version: this one reads format {FORMAT}");
+        findings.push(Finding {
+            severity: Severity::Error,
+            key_path: "format".into(),
+            span: Some(value.span()),
+            message,
+            hint: Some("update bevelscope to read this file".into()),
+        });
+    }
+    newer
+}
+
+/// The place in the text that a key path leads to, or the nearest table around it; by place, not by name.
+pub(super) fn locate(root: &DeTable<'_>, path: &KeyPath) -> Range<usize> {
+    use super::key_path::Step;
+    let mut span = 0..0;
+    let mut table = Some(root);
+    let mut value: Option<&DeValue<'_>> = None;
+    for step in path.steps() {
+        let found = match step {
+            Step::Key(key) => table.and_then(|table| table.get(key.as_str())),
+            Step::Place(place) => value.and_then(DeValue::as_array).and_then(|array| array.get(*place)),
+            Step::Name(_) => None,
+        };
+        let Some(found) = found else { break };
+        span = found.span();
+        value = Some(found.get_ref());
+        table = found.get_ref().as_table();
+    }
+    span
+}
