@@ -9,8 +9,11 @@
 #[macro_use]
 mod declare;
 mod check;
+mod document;
 mod finding;
 mod key_path;
+pub mod library;
+mod load;
 mod model;
 mod read;
 mod render;
@@ -19,8 +22,10 @@ pub mod schema;
 mod side;
 
 pub use check::MAX_STATIONS;
+pub use document::{Document, EditError};
 pub use finding::{Finding, Severity};
 pub use key_path::{KeyPath, KeyPathError, Step};
+pub use load::{LoadError, Loaded, MAX_BYTES, load, load_from};
 pub use model::*;
 pub use read::{Reading, read};
 pub use render::{Position, Source};

@@ -123,7 +123,7 @@ tables! {
     pub struct MeshVectors as "mesh side" {
         /// Mesh point relative to the mesh station.
         pub point: [f64; 3] = "point_mm", Kind::Vector(Quantity::Length), Presence::Required;
-        /// Unit vector of the force on this shaft.
+        /// Unit vector of the mesh force on the gear, in this side's frame.
         pub line_of_action: [f64; 3] = "line_of_action", Kind::Vector(Quantity::Ratio), Presence::Required;
     }
 }

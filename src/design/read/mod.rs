@@ -1,15 +1,15 @@
 //! From the text of a design file to a [`Design`], or to everything that is wrong with it.
 
 mod bearing;
+mod locate;
 mod nearest;
 mod scalar;
 mod table;
 mod written;
 
+pub(super) use locate::{locate, walk};
 pub(super) use nearest::{did_you_mean, listed};
 pub(super) use table::{FromFile, FromTable, TableReader};
-
-use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
@@ -99,24 +99,4 @@ fn is_newer(root: &DeTable<'_>, findings: &Collector) -> bool {
         });
     }
     newer
-}
-
-/// The place in the text that a key path leads to, or the nearest table around it; by place, not by name.
-pub(super) fn locate(root: &DeTable<'_>, path: &KeyPath) -> Range<usize> {
-    use super::key_path::Step;
-    let mut span = 0..0;
-    let mut table = Some(root);
-    let mut value: Option<&DeValue<'_>> = None;
-    for step in path.steps() {
-        let found = match step {
-            Step::Key(key) => table.and_then(|table| table.get(key.as_str())),
-            Step::Place(place) => value.and_then(DeValue::as_array).and_then(|array| array.get(*place)),
-            Step::Name(_) => None,
-        };
-        let Some(found) = found else { break };
-        span = found.span();
-        value = Some(found.get_ref());
-        table = found.get_ref().as_table();
-    }
-    span
 }

@@ -1,0 +1,123 @@
+//! Folders of designs, and the designs that come with the program.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::load::{LoadError, Loaded, load};
+use crate::text::printable;
+
+/// A design that comes with the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shipped {
+    pub file_name: &'static str,
+    pub text: &'static str,
+}
+
+/// The designs of the folder `designs`, by file name.
+pub const SHIPPED: &[Shipped] = &[
+    Shipped { file_name: "overhung-elastic.toml", text: include_str!("../../designs/overhung-elastic.toml") },
+    Shipped { file_name: "overhung-rigid.toml", text: include_str!("../../designs/overhung-rigid.toml") },
+    Shipped { file_name: "straddle-elastic.toml", text: include_str!("../../designs/straddle-elastic.toml") },
+];
+
+/// One file of a library: its design, or why there is none.
+#[derive(Debug)]
+pub struct Entry {
+    pub path: PathBuf,
+    pub loaded: Result<Loaded, LoadError>,
+}
+
+impl Entry {
+    /// The file's name without `.toml`, harmless to show.
+    pub fn stem(&self) -> String {
+        printable(&self.path.file_stem().unwrap_or_default().to_string_lossy()).into_owned()
+    }
+}
+
+/// Why there is no default library.
+#[derive(Debug, thiserror::Error)]
+pub enum LibraryError {
+    #[error("there is no folder `designs` here, and this system names no folder for the user's data: name a folder")]
+    NoDataFolder,
+    #[error("{}: the library of designs cannot be created: {source}", printable(&.folder.display().to_string()))]
+    Fill { folder: PathBuf, source: io::Error },
+}
+
+/// The design files of folders and of files named one by one, in the order given; those of a folder by file name. Folders
+/// below are not searched, hidden files are left out. A folder that cannot be read stands for itself.
+pub fn files(paths: &[PathBuf]) -> Vec<PathBuf> {
+    paths.iter().flat_map(|path| folder_files(path).unwrap_or_else(|| vec![path.clone()])).collect()
+}
+
+fn folder_files(folder: &Path) -> Option<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder).ok()?;
+    let mut files: Vec<PathBuf> =
+        entries.flatten().map(|entry| entry.path()).filter(|path| is_design_file(path)).collect();
+    files.sort();
+    Some(files)
+}
+
+fn is_design_file(path: &Path) -> bool {
+    let hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
+    !hidden && path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir()
+}
+
+/// Reads every design of [`files`]; a broken one is an entry with its reason.
+pub fn load_all(paths: &[PathBuf]) -> Vec<Entry> {
+    files(paths).into_iter().map(|path| Entry { loaded: load(&path), path }).collect()
+}
+
+/// The library that is used where none is named: `designs` in the current folder, else in the user's data folder, filled
+/// with the shipped designs on first use.
+///
+/// # Errors
+///
+/// [`LibraryError`] where neither is there nor can be made.
+pub fn default_folder() -> Result<PathBuf, LibraryError> {
+    default_folder_in(Path::new(""), dirs::data_dir().as_deref())
+}
+
+/// [`default_folder`], with the current folder and the user's data folder given.
+///
+/// # Errors
+///
+/// As [`default_folder`].
+pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<PathBuf, LibraryError> {
+    let here = current.join("designs");
+    if here.is_dir() {
+        return Ok(here);
+    }
+    let folder = data.ok_or(LibraryError::NoDataFolder)?.join("bevelscope").join("designs");
+    if folder.is_dir() {
+        return Ok(folder);
+    }
+    match fill(&folder) {
+        Ok(()) => Ok(folder),
+        Err(source) => Err(LibraryError::Fill { folder, source }),
+    }
+}
+
+/// Writes the shipped designs beside the folder first and renames it as a whole, so there is never half a library, and
+/// a folder that someone else made meanwhile stays as it is.
+fn fill(folder: &Path) -> io::Result<()> {
+    let parent = folder.parent().unwrap_or(Path::new(""));
+    fs::create_dir_all(parent)?;
+    let draft = parent.join(format!(".designs.{}.new", std::process::id()));
+    let filled = write_shipped(&draft).and_then(|()| fs::rename(&draft, folder));
+    if filled.is_err() {
+        // whatever is left of the draft is of no use; the first error is the one that counts
+        let _ = fs::remove_dir_all(&draft);
+        if folder.is_dir() {
+            return Ok(());
+        }
+    }
+    filled
+}
+
+fn write_shipped(draft: &Path) -> io::Result<()> {
+    // left over from a process that was ended half-way
+    let _ = fs::remove_dir_all(draft);
+    fs::create_dir(draft)?;
+    SHIPPED.iter().try_for_each(|shipped| fs::write(draft.join(shipped.file_name), shipped.text))
+}

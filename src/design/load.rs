@@ -1,0 +1,145 @@
+//! Design files from disk or standard input.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::finding::{Finding, is_error};
+use super::model::Design;
+use super::read::read;
+use super::render::Source;
+use crate::text::printable;
+
+/// Largest design file that is read, in bytes.
+pub const MAX_BYTES: u64 = 4 * 1024 * 1024;
+
+/// A design with the text that it was read from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    pub design: Design,
+    pub text: String,
+    pub warnings: Vec<Finding>,
+    /// What the file is called in messages
+    pub name: String,
+}
+
+impl Loaded {
+    /// The warnings as people read them; empty if there are none.
+    pub fn render_warnings(&self) -> String {
+        Source::new(&self.name, &self.text).render_all(&self.warnings)
+    }
+}
+
+/// Why there is no design. Messages begin with the file's name and steer no terminal, whatever file and name hold.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    #[error("{}: this is a folder, not a design file", printable(.name))]
+    Folder { name: String },
+    #[error("{}: there is no such file", printable(.name))]
+    NotFound { name: String },
+    #[error("{}: {source}", printable(.name))]
+    Io { name: String, source: io::Error },
+    #[error("{}: the file is empty", printable(.name))]
+    Empty { name: String },
+    #[error("{}: the file is larger than 4 MiB, the most that a design file may have", printable(.name))]
+    TooLarge { name: String },
+    /// `line` counts from 1, `byte` from 0 at the start of the file
+    #[error("{}:{line}: not UTF-8 text: byte {byte} of the file is 0x{value:02x}", printable(.name))]
+    NotUtf8 { name: String, line: usize, byte: usize, value: u8 },
+    /// At least one finding is an error.
+    #[error("{}", Source::new(.name, .text).render_all(.findings).trim_end())]
+    Invalid { name: String, text: String, findings: Vec<Finding> },
+}
+
+impl LoadError {
+    /// The reason in one line, without the file's name: `line 12: pinion.segment[0].lenght_mm: unknown key (and 2 more errors)`.
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Folder { .. } => "this is a folder, not a design file".into(),
+            Self::NotFound { .. } => "there is no such file".into(),
+            Self::Io { source, .. } => source.to_string(),
+            Self::Empty { .. } => "the file is empty".into(),
+            Self::TooLarge { .. } => "the file is larger than 4 MiB".into(),
+            Self::NotUtf8 { line, .. } => format!("line {line}: not UTF-8 text"),
+            Self::Invalid { text, findings, .. } => reason_of(text, findings),
+        }
+    }
+}
+
+fn reason_of(text: &str, findings: &[Finding]) -> String {
+    let mut errors = findings.iter().filter(|finding| is_error(finding));
+    let Some(first) = errors.next() else { return String::new() };
+    let mut reason = String::new();
+    if let Some(span) = &first.span {
+        reason = format!("line {}: ", Source::new("", text).position(span.start).line);
+    }
+    if !first.key_path.is_empty() {
+        reason.push_str(&printable(&first.key_path));
+        reason.push_str(": ");
+    }
+    reason.push_str(&printable(&first.message));
+    match errors.count() {
+        0 => reason,
+        1 => reason + " (and 1 more error)",
+        more => format!("{reason} (and {more} more errors)"),
+    }
+}
+
+/// Reads and checks a design file; `-` is standard input.
+///
+/// # Errors
+///
+/// [`LoadError`] says why there is no design.
+pub fn load(path: &Path) -> Result<Loaded, LoadError> {
+    if path.as_os_str() == "-" {
+        return load_from(io::stdin().lock(), "standard input");
+    }
+    let name = path.display().to_string();
+    let fail = |source: io::Error, name: String| match source.kind() {
+        io::ErrorKind::NotFound => LoadError::NotFound { name },
+        io::ErrorKind::IsADirectory => LoadError::Folder { name },
+        _ => LoadError::Io { name, source },
+    };
+    // asked before opening: opening a folder is an error on some systems and none on others
+    match std::fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => return Err(LoadError::Folder { name }),
+        Ok(metadata) if metadata.is_file() && metadata.len() > MAX_BYTES => return Err(LoadError::TooLarge { name }),
+        Ok(_) => {}
+        Err(source) => return Err(fail(source, name)),
+    }
+    match File::open(path) {
+        Ok(file) => load_from(file, &name),
+        Err(source) => Err(fail(source, name)),
+    }
+}
+
+/// Reads and checks a design from a reader, which is called `name` in messages. Reads at most one byte over the limit.
+///
+/// # Errors
+///
+/// [`LoadError`] says why there is no design.
+pub fn load_from(reader: impl Read, name: &str) -> Result<Loaded, LoadError> {
+    let name = name.to_string();
+    let mut bytes = Vec::new();
+    match reader.take(MAX_BYTES + 1).read_to_end(&mut bytes) {
+        Ok(0) => return Err(LoadError::Empty { name }),
+        Ok(count) if count as u64 > MAX_BYTES => return Err(LoadError::TooLarge { name }),
+        Ok(_) => {}
+        Err(source) if source.kind() == io::ErrorKind::IsADirectory => return Err(LoadError::Folder { name }),
+        Err(source) => return Err(LoadError::Io { name, source }),
+    }
+    let text = match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => {
+            let byte = error.utf8_error().valid_up_to();
+            let bytes = error.as_bytes();
+            let line = bytes[..byte].split(|byte| *byte == b'\n').count();
+            return Err(LoadError::NotUtf8 { name, line, byte, value: bytes.get(byte).copied().unwrap_or_default() });
+        }
+    };
+    let reading = read(&text);
+    match reading.design {
+        Some(design) => Ok(Loaded { design, text, warnings: reading.findings, name }),
+        None => Err(LoadError::Invalid { name, text, findings: reading.findings }),
+    }
+}
