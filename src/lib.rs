@@ -2,3 +2,4 @@
 pub mod agreement;
 pub mod comparison;
 pub mod design;
+pub mod tui;
