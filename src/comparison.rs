@@ -46,12 +46,21 @@ pub fn solve(kind: ModelKind, design: &Design, rotors: &Rotors, frequency_hz: &[
 ///
 /// [`SolveError`] names the rotor and what is wrong with it.
 pub fn compare(design: &Design) -> Result<Comparison, SolveError> {
+    compare_over(design, None)
+}
+
+/// As [`compare`], with all figures but the agreement limit over a band (Hz, both ends included).
+///
+/// # Errors
+///
+/// As [`compare`], or a band without a line.
+pub fn compare_over(design: &Design, band: Option<[f64; 2]>) -> Result<Comparison, SolveError> {
     let rotors = Rotors::new(design)?;
     let frequency_hz = frequency_lines(&design.analysis);
     let solved = |kind| solve(kind, design, &rotors, &frequency_hz);
     let (fe, enhanced, basic) = (solved(ModelKind::Fe)?, solved(ModelKind::Enhanced)?, solved(ModelKind::Basic)?);
     let agreement = |lumped: &Spectrum| {
-        Agreement::new(&frequency_hz, &lumped.mesh_force, &fe.mesh_force, None, Tolerance::default())
+        Agreement::new(&frequency_hz, &lumped.mesh_force, &fe.mesh_force, band, Tolerance::default())
     };
     let (enhanced_agreement, basic_agreement) = (agreement(&enhanced)?, agreement(&basic)?);
     Ok(Comparison { frequency_hz, fe, enhanced, basic, enhanced_agreement, basic_agreement })

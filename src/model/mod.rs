@@ -38,6 +38,15 @@ impl ModelKind {
             Self::Basic => "basic",
         }
     }
+
+    /// Name in headings.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Fe => "Finite element model",
+            Self::Enhanced => "Enhanced lumped model",
+            Self::Basic => "Basic lumped model",
+        }
+    }
 }
 
 /// Where a coordinate of a rotor sits.
