@@ -1,6 +1,8 @@
 //! Every file of `tests/fixtures/valid` is read without an error, every file of `invalid` gives exactly the errors that its
 //! first lines expect: `# expect: LINE: KEY PATH: part of the message`; `# warn:` is the same for warnings.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -22,7 +22,7 @@ impl Severity {
 }
 
 /// One thing found while reading a design file. Texts may hold characters of the file: show them through
-/// [`render`](super::render), which makes them harmless.
+/// [`Source::render`](super::Source::render), which makes them harmless.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     pub severity: Severity,
