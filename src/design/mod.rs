@@ -19,6 +19,7 @@ mod read;
 mod render;
 mod rotor;
 pub mod schema;
+mod side;
 
 pub use check::MAX_STATIONS;
 pub use document::{Document, EditError};
@@ -29,3 +30,4 @@ pub use model::*;
 pub use read::{Reading, read};
 pub use render::{Position, Source};
 pub use rotor::*;
+pub use side::Side;

@@ -1,0 +1,74 @@
+//! Modes of a lumped model and of the finite element model, paired by their shapes.
+
+use nalgebra::DVector;
+
+use crate::model::{Model, RotorModel};
+use crate::response::Modes;
+use crate::rotor::Motion;
+
+/// A lumped mode and the finite element mode whose shape it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModePair {
+    /// Index among the lumped modes
+    pub lumped: usize,
+    /// Index among the finite element modes
+    pub fe: usize,
+    /// Modal assurance criterion, 0 to 1
+    pub mac: f64,
+}
+
+/// Pairs modes one to one, greatest MAC first, at least 0.5.
+///
+/// Shapes are compared at the lumped coordinates, each weighted with the square root of its mass in the enhanced model, since metres and radians
+/// must not mix unweighted.
+pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Model) -> Vec<ModePair> {
+    const LEAST: f64 = 0.5;
+    let weights: Vec<f64> = enhanced.rotors().iter().flat_map(|rotor| weights(rotor)).collect();
+    let shapes = |(model, modes): (&Model, &Modes)| -> Vec<DVector<f64>> {
+        let places = lumped_places(model);
+        let pick = |shape: &DVector<f64>| {
+            let values = places.iter().zip(&weights).map(|(place, weight)| place.map_or(0.0, |i| shape[i]) * weight);
+            DVector::from_iterator(weights.len(), values)
+        };
+        modes.0.iter().map(|mode| pick(&mode.shape)).collect()
+    };
+    let (lumped, fe) = (shapes(lumped), shapes(fe));
+    let mut candidates: Vec<ModePair> = Vec::new();
+    for (i, a) in lumped.iter().enumerate() {
+        for (j, b) in fe.iter().enumerate() {
+            let mac = a.dot(b).powi(2) / (a.norm_squared() * b.norm_squared());
+            if mac >= LEAST {
+                candidates.push(ModePair { lumped: i, fe: j, mac });
+            }
+        }
+    }
+    candidates.sort_by(|a, b| b.mac.total_cmp(&a.mac));
+    let (mut lumped_taken, mut fe_taken) = (vec![false; lumped.len()], vec![false; fe.len()]);
+    candidates.retain(|pair| {
+        let free = !lumped_taken[pair.lumped] && !fe_taken[pair.fe];
+        if free {
+            lumped_taken[pair.lumped] = true;
+            fe_taken[pair.fe] = true;
+        }
+        free
+    });
+    candidates.sort_by_key(|pair| pair.lumped);
+    candidates
+}
+
+/// Square roots of the masses at the mesh station's six coordinates and the drive.
+fn weights(rotor: &RotorModel) -> Vec<f64> {
+    rotor.mass.diagonal().iter().map(|mass| mass.sqrt()).collect()
+}
+
+/// Where the lumped coordinates stand among those of a model: the mesh station's six, then the drive, for both rotors.
+fn lumped_places(model: &Model) -> Vec<Option<usize>> {
+    let mut places = Vec::new();
+    let mut at = 0;
+    for rotor in model.rotors() {
+        let own = Motion::ALL.into_iter().map(|motion| rotor.at_mesh(motion)).chain([rotor.drive()]);
+        places.extend(own.map(|place| place.map(|i| at + i)));
+        at += rotor.coordinates.len();
+    }
+    places
+}

@@ -1,0 +1,165 @@
+//! The command line: one file a subcommand.
+
+mod check;
+mod explore;
+mod input;
+mod inspect;
+mod modes;
+mod solve;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::builder::PossibleValue;
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::comparison::SolveError;
+use crate::design::LoadError;
+use crate::model::ModelKind;
+use crate::text::printable;
+use crate::tui::TuiError;
+
+/// Explore spiral bevel geared rotor designs: dynamic finite element and lumped models side by side.
+///
+/// Without a subcommand the terminal explorer opens on the given folders and design files; by default on `designs` in the
+/// current folder, else on the library in the user's data folder.
+#[derive(Debug, Parser)]
+#[command(name = "bevelscope", version, args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    explore: explore::Args,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Dynamic mesh force and transmission error over the frequency lines
+    Solve(solve::Args),
+    /// Natural frequencies with the mesh, kinetic-energy shares, and which modes pair up
+    Modes(modes::Args),
+    /// How well the lumped models agree with the finite element model, a row a design
+    Check(check::Args),
+    /// What was built: stations, totals, stiffness at the mesh, bending modes, effective masses, bearings
+    Inspect(inspect::Args),
+}
+
+/// How a program that did its work ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    Success,
+    /// `check` found a design outside a limit
+    OutsideLimits,
+    /// Some of the input was bad, and has been reported
+    BadInput,
+}
+
+impl Status {
+    /// Exit status of the process.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Success => 0,
+            Self::OutsideLimits => 1,
+            Self::BadInput => 2,
+        }
+    }
+}
+
+/// Why a command came to nothing. The texts are ready to be shown: nothing in them steers a terminal.
+#[derive(Debug, thiserror::Error)]
+pub enum CommandError {
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    #[error("{}: error: {error}", printable(name))]
+    Solve { name: String, error: SolveError },
+    #[error("error: {0}")]
+    Usage(String),
+    #[error("error: cannot write the output: {0}")]
+    Output(#[from] io::Error),
+    #[error("bevelscope: {0}")]
+    Explorer(#[from] TuiError),
+}
+
+impl CommandError {
+    /// The reader of our output has gone: nothing to say, and nobody to say it to.
+    pub fn is_closed_pipe(&self) -> bool {
+        matches!(self, Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+
+    /// Exit status of the process.
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::Explorer(error) => error.exit_status(),
+            _ => Status::BadInput.code(),
+        }
+    }
+}
+
+impl Cli {
+    /// Carries the command out; results go to `out`, warnings to `err`.
+    ///
+    /// # Errors
+    ///
+    /// [`CommandError`], with nothing on `out` but what was already complete.
+    pub fn run(&self, mut out: impl Write, mut err: impl Write) -> Result<Status, CommandError> {
+        let status = match &self.command {
+            None => {
+                explore::run(&self.explore)?;
+                Status::Success
+            }
+            Some(Command::Solve(args)) => solve::run(args, &mut out, &mut err)?,
+            Some(Command::Modes(args)) => modes::run(args, &mut out, &mut err)?,
+            Some(Command::Check(args)) => check::run(args, &mut out)?,
+            Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
+        };
+        out.flush()?;
+        Ok(status)
+    }
+}
+
+/// Formats of results that are no plain list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Aligned, for reading
+    Table,
+    /// One JSON value, full precision
+    Json,
+}
+
+/// The design file of a command.
+#[derive(Debug, clap::Args)]
+struct FileArg {
+    /// Design file, or - for standard input
+    file: PathBuf,
+}
+
+/// The models of a command.
+#[derive(Debug, clap::Args)]
+struct ModelArg {
+    /// Models, separated by commas, in the order of the output
+    #[arg(long, value_delimiter = ',', default_value = "fe,enhanced,basic")]
+    model: Vec<ModelKind>,
+}
+
+impl ModelArg {
+    /// Each named model once.
+    fn kinds(&self) -> Vec<ModelKind> {
+        let mut kinds: Vec<ModelKind> = Vec::new();
+        for kind in &self.model {
+            if !kinds.contains(kind) {
+                kinds.push(*kind);
+            }
+        }
+        kinds
+    }
+}
+
+impl ValueEnum for ModelKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(self.title()))
+    }
+}

@@ -1,0 +1,56 @@
+//! Lumped models of one rotor: the six coordinates of its mesh station and the drive (Hua et al. 2012, eqs. 17-35, 56-59).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::mesh::{mesh_vector, signed};
+use super::{Coordinate, Place, RotorModel, fe};
+use crate::design::{Design, Side};
+use crate::rotor::{Motion, Rotor};
+
+/// Where a lumped model takes its masses from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LumpedMass {
+    /// Effective masses of the first bending modes (56), (57); axial mass and polar inertia of the whole rotor (58), (59)
+    Enhanced,
+    /// The whole rotor as a rigid body
+    Basic,
+}
+
+impl LumpedMass {
+    /// Diagonal of the mass matrix at the mesh station: kg, then kg m^2.
+    pub fn diagonal(self, rotor: &Rotor) -> [f64; 6] {
+        let totals = &rotor.totals;
+        let (x, z) = (&rotor.bending_x, &rotor.bending_z);
+        match self {
+            Self::Enhanced => [x.mass, totals.mass, z.mass, z.inertia, totals.polar_inertia, x.inertia],
+            Self::Basic => {
+                let (m, d) = (totals.mass, totals.diametral_inertia);
+                [m, m, m, d, totals.polar_inertia, d]
+            }
+        }
+    }
+}
+
+/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation.
+pub fn rotor(design: &Design, rotor: &Rotor, side: Side, masses: LumpedMass) -> RotorModel {
+    const SHAFT_ROTATION: usize = 4;
+    const DRIVE: usize = 6;
+    let input = design.rotor(side);
+    let mut stiffness = DMatrix::zeros(7, 7);
+    stiffness.fixed_view_mut::<6, 6>(0, 0).copy_from(&rotor.statics.shaft_bearing_stiffness);
+    // the shaft's own torsion lies in series: without it the low-frequency response would be wrong
+    let spring = 1.0 / (1.0 / input.drive.torsional_stiffness + rotor.stations.torsional_compliance());
+    fe::join_drive(&mut stiffness, SHAFT_ROTATION, DRIVE, spring);
+    let mut mass = DMatrix::zeros(7, 7);
+    for (i, value) in masses.diagonal(rotor).into_iter().enumerate() {
+        mass[(i, i)] = value;
+    }
+    mass[(DRIVE, DRIVE)] = input.drive.inertia;
+    let mut mesh = DVector::zeros(7);
+    mesh.fixed_rows_mut::<6>(0).copy_from(&(signed(side) * mesh_vector(design.mesh.vectors(side))));
+    let station = Place::Station(0);
+    let mut coordinates: Vec<Coordinate> =
+        Motion::ALL.into_iter().map(|motion| Coordinate { place: station, motion }).collect();
+    coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station: 0 }
+}

@@ -1,0 +1,21 @@
+//! The mesh spring: how it grips the mesh station.
+
+use nalgebra::Vector6;
+
+use crate::design::{MeshVectors, Side};
+
+/// h of (9), (10): force and moments on the mesh station for a unit force along the line of action; order x, y, z, thx, thy, thz, moments
+/// in m.
+pub fn mesh_vector(vectors: &MeshVectors) -> Vector6<f64> {
+    let [x, y, z] = vectors.point;
+    let [nx, ny, nz] = vectors.line_of_action;
+    Vector6::new(nx, ny, nz, y * nz - z * ny, z * nx - x * nz, x * ny - y * nx)
+}
+
+/// Sign of the mesh vector on a shaft: the spring is stretched by +h_p . x_p - h_g . x_g (8).
+pub(super) fn signed(side: Side) -> f64 {
+    match side {
+        Side::Pinion => 1.0,
+        Side::Gear => -1.0,
+    }
+}

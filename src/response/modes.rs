@@ -1,0 +1,170 @@
+//! Natural modes with the mesh, undamped: (K_s + k_m h h^T) phi = lambda M phi.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::secular::{self, Eigenvalue};
+use super::{ResponseError, rotor_modes};
+use crate::design::Side;
+use crate::model::{Model, RotorModel};
+use crate::rotor::Motion;
+
+/// Shares of a mode's kinetic energy in the motions of one rotor.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct EnergyShare {
+    /// x and z
+    pub lateral: f64,
+    /// y
+    pub axial: f64,
+    /// thx and thz: tilt of the lumped point, bending of the shaft
+    pub tilt: f64,
+    /// thy and the drive
+    pub torsion: f64,
+}
+
+/// One natural mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    pub frequency_hz: f64,
+    pub pinion: EnergyShare,
+    pub gear: EnergyShare,
+    /// phi^T M phi = 1; the pinion's coordinates, then the gear's
+    pub shape: DVector<f64>,
+}
+
+/// The lowest modes of a model, ascending; the rigid rotation first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modes(pub Vec<Mode>);
+
+impl Modes {
+    /// The `most` lowest modes, or all where there are fewer.
+    ///
+    /// # Errors
+    ///
+    /// As [`rotor_modes`].
+    pub fn new(model: &Model, most: usize) -> Result<Self, ResponseError> {
+        let mut uncoupled = Uncoupled::new(model)?;
+        uncoupled.join_equal();
+        uncoupled.drop_uncoupled(model.mesh_stiffness);
+        let Uncoupled { lambda, g, shapes } = &uncoupled;
+        let found = secular::eigenvalues(lambda, g, model.mesh_stiffness);
+        let mode = |eigenvalue: &Eigenvalue| {
+            let shape = match *eigenvalue {
+                Eigenvalue::Kept(i) => shapes.column(i).into_owned(),
+                Eigenvalue::Moved { origin, offset } => {
+                    let weight =
+                        |r: usize| if g[r] == 0.0 { 0.0 } else { g[r] / ((lambda[r] - lambda[origin]) - offset) };
+                    let weights = DVector::from_fn(lambda.len(), |r, _| weight(r));
+                    shapes * weights.normalize()
+                }
+            };
+            let frequency_hz = eigenvalue.value(lambda).max(0.0).sqrt() / TAU;
+            let (top, bottom) = (model.pinion.coordinates.len(), model.gear.coordinates.len());
+            let energy = energies(&model.pinion, &shape.rows(0, top).into_owned())
+                .chain(energies(&model.gear, &shape.rows(top, bottom).into_owned()))
+                .collect::<Vec<_>>();
+            let total: f64 = energy.iter().map(|(_, energy)| energy).sum();
+            let shares = |part: &[(Motion, f64)]| share(part, total);
+            let (pinion, gear) = energy.split_at(top);
+            Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() }
+        };
+        Ok(Self(found.iter().take(most).map(mode).collect()))
+    }
+}
+
+/// Kinetic energy phi_i (M phi)_i of each coordinate of a rotor.
+fn energies<'a>(rotor: &'a RotorModel, shape: &DVector<f64>) -> impl Iterator<Item = (Motion, f64)> + use<'a> {
+    let products = shape.component_mul(&(&rotor.mass * shape));
+    rotor.coordinates.iter().enumerate().map(move |(i, coordinate)| (coordinate.motion, products[i]))
+}
+
+fn share(energies: &[(Motion, f64)], total: f64) -> EnergyShare {
+    let mut out = EnergyShare::default();
+    for &(motion, energy) in energies {
+        let target = match motion {
+            Motion::X | Motion::Z => &mut out.lateral,
+            Motion::Y => &mut out.axial,
+            Motion::ThX | Motion::ThZ => &mut out.tilt,
+            Motion::ThY => &mut out.torsion,
+        };
+        *target += energy / total;
+    }
+    out
+}
+
+/// Mass-normalised modes of both rotors without the mesh, ascending.
+struct Uncoupled {
+    lambda: Vec<f64>,
+    /// phi . h
+    g: Vec<f64>,
+    /// One column a mode
+    shapes: DMatrix<f64>,
+}
+
+impl Uncoupled {
+    fn new(model: &Model) -> Result<Self, ResponseError> {
+        let n = model.coordinates();
+        let mut columns: Vec<(f64, f64, DVector<f64>)> = Vec::with_capacity(n);
+        let mut at = 0;
+        for (side, rotor) in Side::BOTH.into_iter().zip(model.rotors()) {
+            let modes = rotor_modes(rotor, side)?;
+            let g = modes.participation(&rotor.mesh_vector);
+            for (r, (&kappa, &theta)) in modes.stiffness.iter().zip(&modes.mass).enumerate() {
+                // no mass, no frequency
+                if theta <= 0.0 {
+                    continue;
+                }
+                let scale = 1.0 / theta.sqrt();
+                let mut shape = DVector::zeros(n);
+                shape.rows_mut(at, rotor.coordinates.len()).axpy(scale, &modes.shapes.column(r), 0.0);
+                columns.push((kappa / theta, g[r] * scale, shape));
+            }
+            at += rotor.coordinates.len();
+        }
+        columns.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut shapes = DMatrix::zeros(n, columns.len());
+        for (target, column) in columns.iter().enumerate() {
+            shapes.set_column(target, &column.2);
+        }
+        Ok(Self {
+            lambda: columns.iter().map(|column| column.0).collect(),
+            g: columns.iter().map(|column| column.1).collect(),
+            shapes,
+        })
+    }
+
+    /// Of modes with one frequency (both planes of an isotropic shaft, both free rotations) any mixture is a mode: all of the mesh's grip goes to
+    /// one of them, and the others stay as they are.
+    fn join_equal(&mut self) {
+        const EQUAL: f64 = 1e-13;
+        /// rad^2/s^2: what rounding leaves of a frequency of a few hertz
+        const FLOOR: f64 = 1e7;
+        let mut gripped: Option<usize> = None;
+        for i in 0..self.lambda.len() {
+            if self.g[i] == 0.0 {
+                continue;
+            }
+            let equal = |j: &usize| self.lambda[i] - self.lambda[*j] <= EQUAL * (self.lambda[i] + FLOOR);
+            if let Some(j) = gripped.filter(equal) {
+                let (a, b) = (self.g[i], self.g[j]);
+                let length = a.hypot(b);
+                let (first, second) = (self.shapes.column(i).into_owned(), self.shapes.column(j).into_owned());
+                self.shapes.set_column(i, &((&first * a + &second * b) / length));
+                self.shapes.set_column(j, &((&second * a - &first * b) / length));
+                self.g[i] = length;
+                self.g[j] = 0.0;
+            }
+            gripped = Some(i);
+        }
+    }
+
+    /// Modes that the mesh cannot feel stay as they are.
+    fn drop_uncoupled(&mut self, mesh_stiffness: f64) {
+        for (g, lambda) in self.g.iter_mut().zip(&self.lambda) {
+            if mesh_stiffness * *g * *g <= f64::EPSILON * lambda {
+                *g = 0.0;
+            }
+        }
+    }
+}

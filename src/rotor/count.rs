@@ -1,0 +1,92 @@
+//! How many natural frequencies of a plane lie below a given one (Wittrick and Williams 1971).
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::plane::{Node, Plane};
+use super::transfer::Piece;
+
+/// Number of natural frequencies of the plane below `omega` (rad/s).
+///
+/// Negative pivots of the exact dynamic stiffness, eliminated from left to right. Pieces are cut short enough to have no natural
+/// frequency of their own below `omega` when clamped, so that no further term enters the count.
+pub fn natural_frequencies_below(plane: &Plane, omega: f64) -> usize {
+    let omega_squared = omega * omega;
+    let mut count = 0;
+    let mut pivot = node_stiffness(&plane.nodes[0], omega_squared);
+    let mut held = plane.nodes[0].held;
+    for (piece, node) in plane.pieces.iter().zip(&plane.nodes[1..]) {
+        let parts = piece.parts_without_own_modes(omega_squared);
+        let stiffness = DynamicStiffness::new(piece, omega_squared, piece.length / parts as f64);
+        for part in 1..=parts {
+            let end = part == parts;
+            let next_held = end && node.held;
+            let mut next = stiffness.right;
+            if end {
+                next += node_stiffness(node, omega_squared);
+            }
+            let mut cross = stiffness.cross;
+            hold(&mut pivot, held, &mut cross, next_held, stiffness.left);
+            count += negative_eigenvalues(&pivot);
+            if let Some(inverse) = pivot.try_inverse() {
+                next -= cross.transpose() * inverse * cross;
+            }
+            pivot = next;
+            held = next_held;
+        }
+    }
+    let mut cross = Matrix2::zeros();
+    hold(&mut pivot, held, &mut cross, false, Matrix2::zeros());
+    count + negative_eigenvalues(&pivot)
+}
+
+/// Completes a node's pivot with the piece to its right, and takes held deflections out of it.
+fn hold(pivot: &mut Matrix2<f64>, held: bool, cross: &mut Matrix2<f64>, next_held: bool, left: Matrix2<f64>) {
+    *pivot += left;
+    if held {
+        // one uncoupled positive pivot counts nothing
+        *pivot = Matrix2::from_diagonal(&Vector2::new(1.0, pivot[(1, 1)]));
+        cross.row_mut(0).fill(0.0);
+    }
+    if next_held {
+        cross.column_mut(0).fill(0.0);
+    }
+}
+
+fn negative_eigenvalues(pivot: &Matrix2<f64>) -> usize {
+    let determinant = pivot[(0, 0)] * pivot[(1, 1)] - pivot[(0, 1)] * pivot[(1, 0)];
+    if determinant < 0.0 {
+        1
+    } else if pivot[(0, 0)] + pivot[(1, 1)] < 0.0 {
+        2
+    } else {
+        0
+    }
+}
+
+/// Springs and inertia forces of a node on (z, phi).
+fn node_stiffness(node: &Node, omega_squared: f64) -> Matrix2<f64> {
+    Matrix2::new(node.tt - omega_squared * node.mass, node.tr, node.tr, node.rr - omega_squared * node.inertia)
+}
+
+/// End forces (F_z, F_phi) of a piece for its end displacements (z, phi).
+struct DynamicStiffness {
+    left: Matrix2<f64>,
+    right: Matrix2<f64>,
+    /// Left force for right displacement
+    cross: Matrix2<f64>,
+}
+
+impl DynamicStiffness {
+    /// From the transfer matrix: (u2, q2) = [A B; C D] (u1, q1) with q = (Mb, Q).
+    ///
+    /// On the left end F = (Q, -Mb), on the right end F = (-Q, Mb).
+    fn new(piece: &Piece, omega_squared: f64, length: f64) -> Self {
+        let transfer = piece.transfer(omega_squared, length);
+        let a: Matrix2<f64> = transfer.fixed_view::<2, 2>(0, 0).into();
+        let b: Matrix2<f64> = transfer.fixed_view::<2, 2>(0, 2).into();
+        let d: Matrix2<f64> = transfer.fixed_view::<2, 2>(2, 2).into();
+        let inverse = b.try_inverse().unwrap_or_else(Matrix2::zeros);
+        let force = Matrix2::new(0.0, 1.0, -1.0, 0.0);
+        Self { left: -(force * inverse * a), right: -(force * d * inverse), cross: force * inverse }
+    }
+}

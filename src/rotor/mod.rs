@@ -1,0 +1,111 @@
+//! One shaft with its bearings and bodies: stations, beams, assembly, statics and first bending modes.
+
+mod assembly;
+mod beam;
+mod bending;
+mod count;
+mod initial_parameter;
+mod plane;
+mod root;
+mod section;
+mod statics;
+mod stations;
+mod supports;
+mod totals;
+mod transfer;
+
+pub use assembly::ShaftMatrices;
+pub use beam::ElementMatrix;
+pub use bending::Bending;
+pub use section::Section;
+pub use statics::Statics;
+pub use stations::{MOST_STATIONS, Stations};
+pub use supports::{Support, Supports};
+pub use totals::Totals;
+
+use crate::design::{Design, RotorDesign};
+
+/// Motion of a station's six coordinates, in their order; y is along the shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Motion {
+    X,
+    Y,
+    Z,
+    ThX,
+    ThY,
+    ThZ,
+}
+
+impl Motion {
+    pub const ALL: [Self; 6] = [Self::X, Self::Y, Self::Z, Self::ThX, Self::ThY, Self::ThZ];
+}
+
+/// Why a rotor cannot be built or solved.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RotorError {
+    #[error("nothing holds it {}", motions(.0))]
+    Unsupported(Vec<Motion>),
+    #[error("{found} stations, at most {MOST_STATIONS} are allowed: use fewer elements")]
+    TooManyStations { found: usize },
+    #[error("position {position_mm} mm is off the shaft, which is {length_mm} mm long")]
+    OffShaft { position_mm: f64, length_mm: f64 },
+    #[error("there is no material \"{}\"", .0.escape_debug())]
+    UnknownMaterial(String),
+    #[error("a rigid bearing holds the mesh station")]
+    RigidAtMesh,
+    #[error("bearing \"{}\" is rigid along the shaft: a series stiffness needs an elastic bearing", .0.escape_debug())]
+    SeriesOnRigid(String),
+    #[error(
+        "the housing stiffness needs either elastic axial supports only or one rigid one alone: with more it is not \
+         clear what rests on it"
+    )]
+    HousingAmbiguous,
+    #[error("the {0} is too large or too small to compute with")]
+    NotFinite(&'static str),
+    #[error("the {0} cannot be factorised: values lie too many orders of magnitude apart")]
+    IllConditioned(&'static str),
+}
+
+/// In words, for "nothing holds it ...".
+fn motions(motions: &[Motion]) -> String {
+    let words = motions.iter().map(|motion| match motion {
+        Motion::X => "sideways in x",
+        Motion::Y => "in the axial direction",
+        Motion::Z => "sideways in z",
+        Motion::ThX => "against tilting about x",
+        Motion::ThY => "against turning",
+        Motion::ThZ => "against tilting about z",
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// A shaft that is held, and so can be solved.
+#[derive(Debug, Clone)]
+pub struct Rotor {
+    pub stations: Stations,
+    pub supports: Supports,
+    pub totals: Totals,
+    pub statics: Statics,
+    /// First bending mode in the x-y plane (x, thz)
+    pub bending_x: Bending,
+    /// First bending mode in the y-z plane (z, thx)
+    pub bending_z: Bending,
+}
+
+impl Rotor {
+    /// Places the stations, checks that the bearings hold the shaft, and solves its statics and first bending modes.
+    ///
+    /// # Errors
+    ///
+    /// [`RotorError`] where the shaft is not held, has too many stations, or its numbers overflow.
+    pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
+        let stations = Stations::new(design, rotor)?;
+        let supports = Supports::new(rotor)?;
+        assembly::check_supported(&stations, &supports)?;
+        let totals = Totals::new(rotor, &stations);
+        let coarse = stations.coarsened();
+        let statics = Statics::new(rotor, &coarse, &supports)?;
+        let [bending_x, bending_z] = bending::in_both_planes(rotor, &coarse, &supports, &statics)?;
+        Ok(Self { stations, supports, totals, statics, bending_x, bending_z })
+    }
+}

@@ -1,0 +1,124 @@
+//! Where the nodes of a shaft stand, and what lies between and upon them.
+
+use super::{RotorError, Section};
+use crate::design::{Design, RotorDesign};
+
+/// Two positions closer than this (m) are one station.
+pub const SAME_STATION: f64 = 1e-9;
+/// Stations a shaft may have.
+pub const MOST_STATIONS: usize = 400;
+
+/// The nodes of one shaft, in order, and the uniform pieces between neighbours.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stations {
+    /// m from the shaft's start, ascending
+    pub positions: Vec<f64>,
+    /// Section between station i and i + 1; one fewer than positions
+    pub sections: Vec<Section>,
+    /// Station of the mesh: the lumped point
+    pub mesh: usize,
+    /// Station where the drive's spring acts
+    pub drive: usize,
+    /// Station of each body, in the design's order
+    pub bodies: Vec<usize>,
+    /// Station of each bearing, in the design's order
+    pub bearings: Vec<usize>,
+}
+
+impl Stations {
+    /// Stations at every segment end and inner element end, and at every body, bearing, the mesh and the drive.
+    ///
+    /// # Errors
+    ///
+    /// More than [`MOST_STATIONS`], a position off the shaft, or a material that the design does not have.
+    pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
+        let requested = rotor.segments.iter().fold(1_usize, |sum, segment| sum.saturating_add(segment.elements));
+        if requested > MOST_STATIONS {
+            return Err(RotorError::TooManyStations { found: requested });
+        }
+        let mut all = vec![0.0];
+        let mut ends = Vec::with_capacity(rotor.segments.len());
+        let mut start = 0.0;
+        for segment in &rotor.segments {
+            let parts = segment.elements.max(1);
+            all.extend((1..parts).map(|i| start + segment.length * i as f64 / parts as f64));
+            start += segment.length;
+            all.push(start);
+            let material = design.materials.get(&segment.material);
+            let material = material.ok_or_else(|| RotorError::UnknownMaterial(segment.material.clone()))?;
+            ends.push((start, Section::new(segment, material, design.analysis.beam_theory)));
+        }
+        let length = start;
+        // a position may miss the end by the rounding of a sum of lengths
+        let placed = |position: f64| position.clamp(0.0, length);
+        let others = rotor.bodies.iter().map(|body| body.position);
+        let others = others.chain(rotor.bearings.iter().map(|bearing| bearing.position));
+        let others: Vec<f64> = others.chain([rotor.mesh_position, rotor.drive.position]).collect();
+        if let Some(&position) = others.iter().find(|p| !(-SAME_STATION..=length + SAME_STATION).contains(*p)) {
+            return Err(RotorError::OffShaft { position_mm: position * 1e3, length_mm: length * 1e3 });
+        }
+        all.extend(others.iter().map(|&position| placed(position)));
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|next, kept| *next - *kept <= SAME_STATION);
+        if all.len() > MOST_STATIONS {
+            return Err(RotorError::TooManyStations { found: all.len() });
+        }
+        let section_at = |middle: f64| {
+            let index = ends.partition_point(|(end, _)| *end <= middle);
+            ends[index.min(ends.len() - 1)].1
+        };
+        let sections = all.windows(2).map(|pair| section_at(f64::midpoint(pair[0], pair[1]))).collect();
+        let station = |position: f64| {
+            let at = placed(position);
+            let after = all.partition_point(|p| *p < at).min(all.len() - 1);
+            let before = after.saturating_sub(1);
+            if (at - all[before]).abs() < (all[after] - at).abs() { before } else { after }
+        };
+        Ok(Self {
+            mesh: station(rotor.mesh_position),
+            drive: station(rotor.drive.position),
+            bodies: rotor.bodies.iter().map(|body| station(body.position)).collect(),
+            bearings: rotor.bearings.iter().map(|bearing| station(bearing.position)).collect(),
+            sections,
+            positions: all,
+        })
+    }
+
+    pub fn count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Length of the piece after station `i`, m.
+    pub fn piece_length(&self, i: usize) -> f64 {
+        self.positions[i + 1] - self.positions[i]
+    }
+
+    /// The same shaft without the stations where nothing changes and nothing sits.
+    ///
+    /// Static shapes and transfer matrices are exact over a uniform piece of any length, so that there finer elements
+    /// only add rounding errors.
+    #[must_use]
+    pub fn coarsened(&self) -> Self {
+        let last = self.count() - 1;
+        let occupied =
+            |i: usize| i == self.mesh || i == self.drive || self.bodies.contains(&i) || self.bearings.contains(&i);
+        let kept: Vec<usize> = (0..=last)
+            .filter(|&i| i == 0 || i == last || self.sections[i - 1] != self.sections[i] || occupied(i))
+            .collect();
+        let renumber = |i: usize| kept.partition_point(|&k| k < i);
+        Self {
+            positions: kept.iter().map(|&i| self.positions[i]).collect(),
+            sections: kept[..kept.len() - 1].iter().map(|&i| self.sections[i]).collect(),
+            mesh: renumber(self.mesh),
+            drive: renumber(self.drive),
+            bodies: self.bodies.iter().map(|&i| renumber(i)).collect(),
+            bearings: self.bearings.iter().map(|&i| renumber(i)).collect(),
+        }
+    }
+
+    /// Torsional compliance of the shaft between the mesh and the drive, rad/(N m).
+    pub fn torsional_compliance(&self) -> f64 {
+        let (from, to) = (self.mesh.min(self.drive), self.mesh.max(self.drive));
+        (from..to).map(|i| self.piece_length(i) / self.sections[i].torsional_stiffness).sum()
+    }
+}

@@ -1,0 +1,198 @@
+//! The explorer's state. Nothing here touches the terminal, the clock or a file.
+
+use std::path::PathBuf;
+
+use super::caps::Capabilities;
+use super::keymap::Mode;
+use super::library::{Library, RowState};
+use super::message::Effect;
+use super::theme::Theme;
+use super::traces::{Columns, Traces};
+use super::worker::{Job, Summary, Ticket};
+
+#[derive(Debug)]
+pub struct App {
+    pub theme: Theme,
+    /// The library as the user names it, e.g. `~/designs`.
+    pub shown_as: String,
+    pub library: Library,
+    pub detail: Detail,
+    pub mode: Mode,
+    /// Where the help returns to.
+    pub mode_below_help: Mode,
+    pub help_scroll: Scroll,
+    /// Why the library could not be listed again.
+    pub notice: Option<String>,
+    pub(super) tickets: Ticket,
+    pub(super) view_moved: bool,
+}
+
+/// The right side: what is known of the selected design.
+#[derive(Debug, Default)]
+pub struct Detail {
+    pub path: Option<PathBuf>,
+    /// The latest request for this design; results of others are refused.
+    pub ticket: Ticket,
+    /// Whether its result is still to come.
+    pub pending: bool,
+    pub outcome: Option<Outcome>,
+    pub text_scroll: Scroll,
+}
+
+#[derive(Debug)]
+pub enum Outcome {
+    Solved {
+        summary: Box<Summary>,
+        picture: Box<Picture>,
+    },
+    /// Neither read nor solved; the whole message.
+    Failed {
+        title: &'static str,
+        text: String,
+    },
+}
+
+/// Spectra, and their columns at the width that was drawn last.
+#[derive(Debug)]
+pub struct Picture {
+    pub traces: Traces,
+    columns: Option<Columns>,
+}
+
+impl Picture {
+    pub fn new(traces: Traces) -> Self {
+        Self { traces, columns: None }
+    }
+
+    /// Computes the columns if the width has changed. A million lines take longer than a frame should.
+    pub fn prepare(&mut self, width: usize, dots: usize) {
+        if self.columns(width, dots).is_none() {
+            self.columns = Some(self.traces.columns(width, dots));
+        }
+    }
+
+    pub fn columns(&self, width: usize, dots: usize) -> Option<&Columns> {
+        self.columns.as_ref().filter(|columns| columns.width == width && columns.dots == dots)
+    }
+}
+
+/// Where a text is scrolled to. Its length and its window are known when it is drawn.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Scroll {
+    pub top: usize,
+    lines: usize,
+    height: usize,
+}
+
+impl Scroll {
+    pub fn by(&mut self, lines: isize) {
+        self.top = self.top.saturating_add_signed(lines).min(self.last());
+    }
+
+    /// The last place that shows a full window.
+    pub fn last(&self) -> usize {
+        self.lines.saturating_sub(self.height)
+    }
+
+    /// Lines of a page; one stays in sight.
+    pub fn page(&self) -> isize {
+        self.height.saturating_sub(1).max(1).cast_signed()
+    }
+
+    /// Takes over the size of the text and of its window.
+    pub fn fit(&mut self, lines: usize, height: usize) {
+        (self.lines, self.height) = (lines, height);
+        self.by(0);
+    }
+
+    /// E.g. `1-12 of 30`; nothing where all is in sight.
+    pub fn position(&self) -> Option<String> {
+        (self.lines > self.height)
+            .then(|| format!("{}-{} of {}", self.top + 1, (self.top + self.height).min(self.lines), self.lines))
+    }
+}
+
+impl App {
+    /// The state before anything is read.
+    pub fn new(library: Vec<PathBuf>, shown_as: String, capabilities: Capabilities) -> Self {
+        Self {
+            theme: Theme::new(capabilities),
+            shown_as,
+            library: Library::new(library),
+            detail: Detail::default(),
+            mode: Mode::Library,
+            mode_below_help: Mode::Library,
+            help_scroll: Scroll::default(),
+            notice: None,
+            tickets: Ticket::default(),
+            view_moved: false,
+        }
+    }
+
+    /// What to do after the first frame.
+    pub fn start(&mut self) -> Vec<Effect> {
+        let mut effects = self.follow_selection();
+        effects.extend(self.fill());
+        self.view_moved = false;
+        effects
+    }
+
+    /// What to do after a frame: rows that have come into sight are read first.
+    pub fn after_frame(&mut self) -> Vec<Effect> {
+        if std::mem::take(&mut self.view_moved) { self.fill().into_iter().collect() } else { Vec::new() }
+    }
+
+    /// Whether a frame drawn now would likely be replaced at once, because the selected design is being solved.
+    pub fn is_settling(&self) -> bool {
+        self.detail.pending && self.detail.outcome.is_none()
+    }
+
+    /// Whether the right side is a text that can be scrolled.
+    pub fn has_text(&self) -> bool {
+        matches!(self.detail.outcome, Some(Outcome::Failed { .. }))
+    }
+
+    pub(super) fn ticket(&mut self) -> Ticket {
+        self.tickets.0 += 1;
+        self.tickets
+    }
+
+    /// Asks for the selected design if it is another one than before.
+    pub(super) fn follow_selection(&mut self) -> Vec<Effect> {
+        let path = self.library.selected().map(|row| row.path.clone());
+        if path == self.detail.path {
+            return Vec::new();
+        }
+        self.detail = Detail { path, ..Detail::default() };
+        if self.mode == Mode::Text {
+            self.mode = Mode::Library;
+        }
+        // what the library knows already is shown at once
+        self.detail.outcome = match self.library.selected().map(|row| &row.state) {
+            Some(RowState::Broken(broken)) => Some(Outcome::Failed { title: BROKEN, text: broken.full_text.clone() }),
+            Some(RowState::Unsolvable(text)) => Some(Outcome::Failed { title: UNSOLVABLE, text: text.clone() }),
+            _ => None,
+        };
+        self.solve_selected()
+    }
+
+    pub(super) fn solve_selected(&mut self) -> Vec<Effect> {
+        let Some(path) = self.detail.path.clone() else { return Vec::new() };
+        let ticket = self.ticket();
+        self.detail.ticket = ticket;
+        self.detail.pending = true;
+        vec![Effect::Solve(Job { ticket, path, with_traces: true })]
+    }
+
+    pub(super) fn fill(&mut self) -> Option<Effect> {
+        let waiting = self.library.waiting();
+        let ticket = self.ticket();
+        let job = |path| Job { ticket, path, with_traces: false };
+        (!waiting.is_empty()).then(|| Effect::Fill(waiting.into_iter().map(job).collect()))
+    }
+}
+
+/// Title over the message of a design that cannot be read.
+pub(super) const BROKEN: &str = "This design cannot be read";
+/// Title over the message of a design that cannot be solved.
+pub(super) const UNSOLVABLE: &str = "This design cannot be solved";

@@ -1,0 +1,53 @@
+//! What the explorer needs from the rest of the program.
+
+use std::path::{Path, PathBuf};
+
+use crate::comparison::{Comparison, SolveError};
+use crate::design::Design;
+
+/// Reads and solves designs. Called on background threads only, never before the first frame.
+pub trait Backend: Send + Sync {
+    /// Reads one design file.
+    ///
+    /// # Errors
+    ///
+    /// [`BrokenDesign`] says what is wrong with the file.
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign>;
+
+    /// Solves the three models of a design.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] says why there is no solution.
+    fn compare(&self, design: &Design) -> Result<Comparison, SolveError>;
+
+    /// The library's files as they are now, or why its folder cannot be read. `None` where the library is a fixed list
+    /// of files.
+    fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {
+        None
+    }
+}
+
+/// A design that passed its checks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedDesign {
+    pub design: Design,
+    /// What is allowed but looks unintended, one line each.
+    pub warnings: Vec<String>,
+}
+
+impl From<Design> for LoadedDesign {
+    fn from(design: Design) -> Self {
+        Self { design, warnings: Vec::new() }
+    }
+}
+
+/// Why a design file cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{one_line}")]
+pub struct BrokenDesign {
+    /// A few words for the library, e.g. `line 14: unknown key`.
+    pub one_line: String,
+    /// The whole message.
+    pub full_text: String,
+}

@@ -1,0 +1,26 @@
+//! Does what the state asks for.
+
+use std::io;
+
+use super::message::{Effect, Ending};
+use super::terminal::Session;
+use super::worker::Worker;
+
+/// Carries out the effects of a message. `Some` when the explorer ends.
+///
+/// # Errors
+///
+/// The terminal cannot be used.
+pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> io::Result<Option<Ending>> {
+    for effect in effects {
+        match effect {
+            Effect::Solve(job) => worker.solve(job),
+            Effect::Fill(jobs) => worker.fill(jobs),
+            Effect::List => worker.list(),
+            Effect::Redraw => session.clear()?,
+            Effect::Suspend => session.suspend()?,
+            Effect::Quit(ending) => return Ok(Some(ending)),
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,265 @@
+//! The list of designs: what is known of each, which are shown, which is selected.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::backend::{BrokenDesign, LoadedDesign};
+use super::text::printable;
+use super::worker::{Summary, Ticket};
+
+/// One design file.
+#[derive(Debug, Clone)]
+pub struct Row {
+    pub path: PathBuf,
+    /// File name without `.toml`, safe to show.
+    pub stem: String,
+    pub loaded: Option<Arc<LoadedDesign>>,
+    pub state: RowState,
+    /// What is known comes from this request; older results are refused.
+    pub ticket: Ticket,
+    /// To be read again.
+    pub stale: bool,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub enum RowState {
+    /// Not read yet.
+    Pending,
+    /// Read, not solved yet.
+    Loaded,
+    Solved(Summary),
+    Broken(BrokenDesign),
+    /// Can be read but not solved; the whole message.
+    Unsolvable(String),
+}
+
+impl Row {
+    fn new(path: PathBuf) -> Self {
+        let stem = path.file_stem().map_or_else(|| path.to_string_lossy(), |stem| stem.to_string_lossy());
+        let stem = printable(&stem).into_owned();
+        Self { path, stem, loaded: None, state: RowState::Pending, ticket: Ticket::default(), stale: false }
+    }
+
+    /// The design's own name, or the file's while it is not known; safe to show.
+    pub fn name(&self) -> String {
+        let name = self.loaded.as_ref().map(|loaded| printable(loaded.design.name.trim()).into_owned());
+        name.filter(|name| !name.is_empty()).unwrap_or_else(|| self.stem.clone())
+    }
+
+    fn matches(&self, filter: &str) -> bool {
+        let name = self.loaded.as_ref().map_or("", |loaded| &loaded.design.name);
+        filter.is_empty() || self.stem.to_lowercase().contains(filter) || name.to_lowercase().contains(filter)
+    }
+
+    fn waits(&self) -> bool {
+        self.stale || matches!(self.state, RowState::Pending | RowState::Loaded)
+    }
+}
+
+#[derive(Debug, Clone, Default)]
+pub struct Library {
+    rows: Vec<Row>,
+    /// Indices of the rows that match the filter.
+    shown: Vec<usize>,
+    /// Place of the selection in `shown`.
+    cursor: usize,
+    filter: String,
+    /// First visible place, and how many are visible: known after the first frame.
+    scroll: usize,
+    height: usize,
+}
+
+impl Library {
+    pub fn new(paths: Vec<PathBuf>) -> Self {
+        let rows: Vec<Row> = paths.into_iter().map(Row::new).collect();
+        Self { shown: (0..rows.len()).collect(), rows, ..Self::default() }
+    }
+
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// How many match the filter.
+    pub fn matches(&self) -> usize {
+        self.shown.len()
+    }
+
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    pub fn filter(&self) -> &str {
+        &self.filter
+    }
+
+    pub fn selected(&self) -> Option<&Row> {
+        self.shown.get(self.cursor).and_then(|&at| self.rows.get(at))
+    }
+
+    pub fn row_mut(&mut self, path: &Path) -> Option<&mut Row> {
+        self.rows.iter_mut().find(|row| row.path == path)
+    }
+
+    /// Moves the selection, held at both ends.
+    pub fn move_by(&mut self, by: isize) {
+        self.cursor = self.cursor.saturating_add_signed(by).min(self.shown.len().saturating_sub(1));
+    }
+
+    /// Moves the selection, from the end to the start again.
+    pub fn cycle(&mut self, by: isize) {
+        if !self.shown.is_empty() {
+            self.cursor = (self.cursor.cast_signed() + by).rem_euclid(self.shown.len().cast_signed()).cast_unsigned();
+        }
+    }
+
+    pub fn select_first(&mut self) {
+        self.cursor = 0;
+    }
+
+    pub fn select_last(&mut self) {
+        self.cursor = self.shown.len().saturating_sub(1);
+    }
+
+    /// Rows of a page; one stays in sight.
+    pub fn page(&self) -> isize {
+        self.height.saturating_sub(1).max(1).cast_signed()
+    }
+
+    /// Changes the filter; the selection stays on its design while that matches.
+    pub fn set_filter(&mut self, filter: String) {
+        self.filter = filter;
+        self.refilter();
+    }
+
+    /// Matches the rows anew: a design's name may match where its file's does not.
+    pub fn names_changed(&mut self) {
+        if !self.filter.is_empty() {
+            self.refilter();
+        }
+    }
+
+    fn refilter(&mut self) {
+        let selected = self.shown.get(self.cursor).copied();
+        let filter = self.filter.to_lowercase();
+        self.shown = (0..self.rows.len()).filter(|&at| self.rows[at].matches(&filter)).collect();
+        // the next one after the design that was selected, if that one is gone
+        let place = selected.map_or(0, |selected| self.shown.partition_point(|&at| at < selected));
+        self.cursor = place.min(self.shown.len().saturating_sub(1));
+    }
+
+    /// Takes over a new list of files. What is known of a file that is still there is kept until it is read again.
+    pub fn replace(&mut self, paths: Vec<PathBuf>) {
+        let selected = self.selected().map(|row| row.path.clone());
+        let place = self.cursor;
+        let mut old = std::mem::take(&mut self.rows);
+        self.rows = paths
+            .into_iter()
+            .map(|path| match old.iter().position(|row| row.path == path) {
+                Some(at) => old.swap_remove(at),
+                None => Row::new(path),
+            })
+            .collect();
+        self.shown.clear();
+        self.refilter();
+        let kept = self.shown.iter().position(|&at| Some(&self.rows[at].path) == selected.as_ref());
+        self.cursor = kept.unwrap_or(place).min(self.shown.len().saturating_sub(1));
+    }
+
+    /// Marks all rows to be read again; results of requests before `ticket` are refused from now on.
+    pub fn mark_stale(&mut self, ticket: Ticket) {
+        for row in &mut self.rows {
+            row.stale = true;
+            row.ticket = ticket;
+        }
+    }
+
+    /// The files that are still to be read or solved: the visible ones first, then downwards and from the top again.
+    pub fn waiting(&self) -> Vec<PathBuf> {
+        let visible = self.scroll.min(self.shown.len());
+        let hidden = (0..self.rows.len()).filter(|at| self.shown.binary_search(at).is_err());
+        let order = self.shown[visible..].iter().chain(&self.shown[..visible]).copied().chain(hidden);
+        order.map(|at| &self.rows[at]).filter(|row| row.waits()).map(|row| row.path.clone()).collect()
+    }
+
+    /// Scrolls so that the selection is in sight of a list `height` rows high. Says whether the view has moved.
+    pub fn scroll_into_view(&mut self, height: usize) -> bool {
+        let before = (self.scroll, self.height);
+        self.height = height;
+        let last_start = self.shown.len().saturating_sub(height);
+        let lowest = (self.cursor + 1).saturating_sub(height);
+        self.scroll = self.scroll.clamp(lowest, self.cursor.max(lowest)).min(last_start.max(lowest));
+        before != (self.scroll, self.height)
+    }
+
+    /// The visible rows, and whether each is selected.
+    pub fn visible(&self) -> impl Iterator<Item = (&Row, bool)> {
+        let places = self.scroll..(self.scroll + self.height).min(self.shown.len());
+        places.map(|place| (&self.rows[self.shown[place]], place == self.cursor))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn library(count: usize) -> Library {
+        Library::new((0..count).map(|at| PathBuf::from(format!("/designs/d{at:02}.toml"))).collect())
+    }
+
+    fn stem(library: &Library) -> &str {
+        library.selected().map_or("", |row| &row.stem)
+    }
+
+    #[test]
+    fn the_selection_stays_in_sight_and_the_list_is_never_scrolled_past_its_end() {
+        let mut library = library(30);
+        for (cursor, height) in [(0, 5), (29, 5), (12, 5), (29, 1), (3, 40), (29, 0), (7, 6)] {
+            library.select_first();
+            library.move_by(cursor);
+            library.scroll_into_view(height);
+            let visible: Vec<_> = library.visible().collect();
+            assert_eq!(visible.len(), height.min(30));
+            assert!(height == 0 || visible.iter().any(|(_, selected)| *selected));
+        }
+    }
+
+    #[test]
+    fn a_filter_keeps_the_selected_design_or_takes_the_next() {
+        let mut library = library(30);
+        library.move_by(12);
+        library.set_filter("D1".into());
+        assert_eq!((stem(&library), library.matches()), ("d12", 10));
+        library.set_filter("d2".into());
+        assert_eq!(stem(&library), "d20");
+        library.set_filter("none of them".into());
+        assert!(library.selected().is_none());
+        library.set_filter(String::new());
+        assert_eq!(library.matches(), 30);
+    }
+
+    #[test]
+    fn files_come_and_go_and_the_selection_follows_its_file() {
+        let mut library = library(4);
+        library.move_by(2);
+        library.replace(["/designs/a.toml", "/designs/d02.toml", "/designs/z.toml"].map(PathBuf::from).into());
+        assert_eq!((stem(&library), library.len()), ("d02", 3));
+        library.replace(vec![PathBuf::from("/designs/a.toml")]);
+        assert_eq!(stem(&library), "a");
+        library.replace(Vec::new());
+        assert!(library.selected().is_none());
+    }
+
+    #[test]
+    fn visible_rows_are_read_first() {
+        let mut library = library(30);
+        library.move_by(20);
+        library.scroll_into_view(5);
+        let waiting = library.waiting();
+        assert_eq!(waiting.len(), 30);
+        assert_eq!(waiting[0], PathBuf::from("/designs/d16.toml"));
+    }
+}

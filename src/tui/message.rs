@@ -1,0 +1,59 @@
+//! What happens to the explorer, and what it asks for.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ratatui::crossterm::event::KeyEvent;
+
+use super::backend::{BrokenDesign, LoadedDesign};
+use super::worker::{Job, Solved, Ticket};
+
+/// Everything that can change the state comes as one of these.
+#[derive(Debug)]
+pub enum Message {
+    Key(KeyEvent),
+    /// Text from the clipboard.
+    Paste(String),
+    Resized,
+    /// A design was read.
+    Loaded {
+        ticket: Ticket,
+        path: PathBuf,
+        result: Result<Arc<LoadedDesign>, BrokenDesign>,
+    },
+    /// A design was solved, or why not.
+    Solved {
+        ticket: Ticket,
+        path: PathBuf,
+        result: Result<Solved, String>,
+    },
+    /// The library's files, or why they cannot be listed.
+    Listed(Result<Vec<PathBuf>, String>),
+    /// The system asks the program to end.
+    Signal(i32),
+    /// The terminal is gone.
+    TerminalGone,
+}
+
+/// What the state asks of the world after a message.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Effect {
+    /// Read and solve the selected design.
+    Solve(Job),
+    /// Read and solve for the library's rows, in this order.
+    Fill(Vec<Job>),
+    /// List the library's files again.
+    List,
+    /// Draw all of the screen, whatever the terminal shows.
+    Redraw,
+    Suspend,
+    Quit(Ending),
+}
+
+/// Why the explorer ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    Quit,
+    Signal(i32),
+    TerminalGone,
+}

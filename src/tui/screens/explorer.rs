@@ -1,0 +1,152 @@
+//! The explorer: the designs on the left, the selected one on the right, the answer below.
+//!
+//! ```text
+//!  header
+//! ┌ Designs ──────────────┐┌ Mesh force ─────────────────────────────┐
+//! │ list                  ││ three spectra                           │
+//! ├ Side view ────────────┤├ enhanced − FE, dB ──────────────────────┤
+//! │ both shafts           ││ strip                                   │
+//! └───────────────────────┘└─────────────────────────────────────────┘
+//!  figures
+//!  footer
+//! ```
+
+use ratatui::Frame;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::tui::app::{App, Outcome};
+use crate::tui::keymap::Mode;
+use crate::tui::overlays;
+use crate::tui::text::printable;
+use crate::tui::widgets::canvas::Canvas;
+use crate::tui::widgets::panel::{self, Title};
+use crate::tui::widgets::{difference_strip, figures, footer, header, library, plot, side_view, spectrum, text_pane};
+
+/// The smallest terminal that the explorer is laid out for.
+pub const MIN_WIDTH: u16 = 60;
+pub const MIN_HEIGHT: u16 = 18;
+
+/// Draws the explorer over the whole frame.
+pub fn render(app: &mut App, frame: &mut Frame) {
+    let area = frame.area();
+    if area.width < MIN_WIDTH || area.height < MIN_HEIGHT {
+        return render_too_small(app, area, frame.buffer_mut());
+    }
+    let buffer = frame.buffer_mut();
+    let row = |y: u16, height: u16| Rect { y: area.y + y, height, ..area };
+    let body = row(1, area.height - 2 - figures::HEIGHT);
+    let left_width = (area.width * 5 / 12).clamp(24, 38);
+    let left = Rect { width: left_width, ..body };
+    let right = Rect { x: body.x + left_width, width: body.width - left_width, ..body };
+
+    header::render(app, row(0, 1), buffer);
+    render_left(app, left, buffer);
+    render_right(app, right, buffer);
+    figures::render(app, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
+    let cursor = footer::render(app, row(area.height - 1, 1), buffer);
+    if app.mode == Mode::Help {
+        overlays::help::render(app, body, buffer);
+    }
+    if let Some(cursor) = cursor {
+        frame.set_cursor_position(cursor);
+    }
+}
+
+/// List above, side view below; a low window has room for the list only.
+fn render_left(app: &mut App, area: Rect, buffer: &mut Buffer) {
+    let focused = matches!(app.mode, Mode::Library | Mode::Filter);
+    let inner = panel::frame(area, buffer, &library::title(app), focused, &app.theme);
+    let side_height = if inner.height >= 15 { (inner.height * 3 / 5).min(16) } else { 0 };
+    let list = Rect { height: inner.height - side_height, ..inner };
+    app.view_moved |= app.library.scroll_into_view(library::rows(list));
+    library::render(app, list, buffer);
+    if side_height > 0 {
+        panel::divider(area, buffer, list.bottom(), &Title::left("Side view"), &app.theme);
+        if let Some(loaded) = app.library.selected().and_then(|row| row.loaded.clone()) {
+            let side = Rect { y: list.bottom() + 1, height: side_height - 1, ..inner };
+            side_view::render(&loaded.design, &app.theme, side, buffer);
+            panel::bottom(area, buffer, &side_view::legend(&app.theme), focused, &app.theme);
+        }
+    }
+}
+
+fn render_right(app: &mut App, area: Rect, buffer: &mut Buffer) {
+    let theme = app.theme;
+    let focused = app.mode == Mode::Text;
+    match &mut app.detail.outcome {
+        Some(Outcome::Failed { title, text }) => {
+            let (title, text) = (*title, std::mem::take(text));
+            text_pane::render((title, &text, theme.fe), &mut app.detail.text_scroll, focused, &theme, area, buffer);
+            if let Some(Outcome::Failed { text: place, .. }) = &mut app.detail.outcome {
+                *place = text;
+            }
+        }
+        Some(Outcome::Solved { .. }) => render_spectra(app, area, buffer),
+        None => {
+            let (title, text) = without_result(app);
+            text_pane::render((title, &text, theme.fe), &mut app.detail.text_scroll, false, &theme, area, buffer);
+        }
+    }
+}
+
+fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
+    let theme = app.theme;
+    let Some(Outcome::Solved { picture, summary }) = &mut app.detail.outcome else { return };
+    let inner = panel::frame(area, buffer, &spectrum::title(&theme, area.width), false, &theme);
+    let strip_height = (inner.height * 3 / 10).clamp(3, 7) | 1;
+    let upper = Rect { height: inner.height.saturating_sub(strip_height + 1), ..inner };
+    let strip = Rect { y: upper.bottom() + 1, height: strip_height, ..inner };
+    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    picture.prepare(usize::from(plot::curve_width(inner)), dots);
+    spectrum::render(picture, summary.enhanced.agreement_limit_hz, &theme, upper, buffer);
+    panel::divider(area, buffer, upper.bottom(), &difference_strip::title(&theme), &theme);
+    difference_strip::render(picture, &theme, strip, buffer);
+    let warnings =
+        app.library.selected().and_then(|row| row.loaded.as_ref()).map_or(&[][..], |loaded| &loaded.warnings);
+    if let Some(first) = warnings.first() {
+        let others = if warnings.len() > 1 { format!(" (and {} more)", warnings.len() - 1) } else { String::new() };
+        let title = Title::left(format!("! {}{others}", printable(first)));
+        panel::bottom(area, buffer, &title, false, &theme);
+    }
+}
+
+/// What the right side says where there is neither a result nor an error.
+fn without_result(app: &App) -> (&'static str, String) {
+    let folder = printable(&app.shown_as);
+    if app.library.is_empty() {
+        let text = format!(
+            "There is no design in {folder}.\n\n\
+             A design is a file NAME.toml: a pinion and a gear, each a shaft with its segments, bodies, bearings and its \
+             drive, and the mesh between them. bevelscope solves it with finite elements and with two lumped models, and \
+             shows up to which frequency the lumped ones can be trusted.\n\n\
+             Put a design there and press R, or quit with q and name another folder:\n\n    bevelscope FOLDER"
+        );
+        return ("No designs", text);
+    }
+    if app.library.matches() == 0 {
+        let filter = printable(app.library.filter());
+        return (
+            "No match",
+            format!("None of the {} designs matches \"{filter}\".\n\nEsc drops the filter.", app.library.len()),
+        );
+    }
+    let read = app.library.selected().is_some_and(|row| row.loaded.is_some());
+    let dots = app.theme.glyphs.ellipsis;
+    if read {
+        ("Spectra", format!("Solving the three models{dots}"))
+    } else {
+        ("Spectra", format!("Reading the design{dots}"))
+    }
+}
+
+fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
+    let text = format!(
+        "bevelscope needs a window of {MIN_WIDTH}x{MIN_HEIGHT} characters; this one has {}x{}. Make it larger, or quit with q.",
+        area.width, area.height
+    );
+    let lines = crate::tui::text::wrap(&text, usize::from(area.width));
+    for (line, y) in lines.iter().zip(area.top()..area.bottom()) {
+        buffer.set_stringn(area.x, y, line, usize::from(area.width), app.theme.fe);
+    }
+}

@@ -1,0 +1,135 @@
+//! The terminal: taken over, drawn to, and always given back.
+//!
+//! It is given back when [`Session`] is dropped, before a panic prints its message, and before the program is suspended
+//! or ended by a signal.
+
+use std::io::{self, BufWriter, Stdout, Write};
+use std::panic;
+use std::sync::Once;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, ThreadId};
+
+use ratatui::Terminal;
+use ratatui::backend::CrosstermBackend;
+use ratatui::crossterm::cursor::{Hide, Show};
+use ratatui::crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
+use ratatui::crossterm::style::force_color_output;
+use ratatui::crossterm::terminal::{
+    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
+    enable_raw_mode,
+};
+use ratatui::crossterm::{execute, queue};
+
+use super::app::App;
+use super::view;
+
+/// Whether the terminal is ours at the moment.
+static TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// A terminal that is ours until this is dropped.
+pub struct Session {
+    terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+}
+
+impl std::fmt::Debug for Session {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("Session")
+    }
+}
+
+impl Session {
+    /// Takes over the terminal.
+    ///
+    /// # Errors
+    ///
+    /// The system's; the terminal is as it was.
+    pub fn enter() -> io::Result<Self> {
+        restore_before_panic(thread::current().id());
+        // the themes decide about colour; with NO_COLOR crossterm would write full resets in place of colours
+        force_color_output(true);
+        // a frame is written in one piece
+        let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
+        let session = Self { terminal: Terminal::new(backend)? };
+        take()?;
+        Ok(session)
+    }
+
+    /// Draws one frame; the terminal shows it whole or not at all.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be written to.
+    pub fn draw(&mut self, app: &mut App) -> io::Result<()> {
+        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
+        self.terminal.draw(|frame| view::draw(app, frame))?;
+        execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
+    }
+
+    /// Forgets what the terminal shows: the next frame is drawn whole.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be written to.
+    pub fn clear(&mut self) -> io::Result<()> {
+        self.terminal.clear()
+    }
+
+    /// Gives the terminal back to the shell until the program is continued.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be taken over again.
+    pub fn suspend(&mut self) -> io::Result<()> {
+        #[cfg(unix)]
+        {
+            restore();
+            signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
+            take()?;
+            self.terminal.clear()?;
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        restore();
+    }
+}
+
+fn take() -> io::Result<()> {
+    enable_raw_mode()?;
+    TAKEN.store(true, Ordering::SeqCst);
+    // bracketed paste: text from the clipboard must not act as keys
+    execute!(io::stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste).inspect_err(|_| restore())
+}
+
+/// Gives the terminal back, once. Errors are of no use here: the terminal may be what is gone.
+pub fn restore() {
+    if TAKEN.swap(false, Ordering::SeqCst) {
+        drop(execute!(io::stdout(), EndSynchronizedUpdate, DisableBracketedPaste, Show, LeaveAlternateScreen));
+        drop(io::stdout().flush());
+        drop(disable_raw_mode());
+    }
+}
+
+/// Whether the terminal is taken over.
+pub fn is_taken() -> bool {
+    TAKEN.load(Ordering::SeqCst)
+}
+
+/// A panic of the thread that draws gives the terminal back before its message is printed. Those of the background
+/// threads are caught there and shown as the design's error: printing them would go through the picture.
+fn restore_before_panic(drawing: ThreadId) {
+    static INSTALLED: Once = Once::new();
+    INSTALLED.call_once(|| {
+        let previous = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if is_taken() && thread::current().id() != drawing {
+                return;
+            }
+            restore();
+            previous(info);
+        }));
+    });
+}

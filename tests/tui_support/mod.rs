@@ -1,0 +1,184 @@
+//! Made-up designs and spectra for the tests of the explorer: plausible to look at, and the same on every machine.
+#![allow(dead_code, reason = "each test uses its own part")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use bevelscope::agreement::Agreement;
+use bevelscope::comparison::{Comparison, SolveError, Spectrum};
+use bevelscope::design::{
+    Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
+    Hold, Mesh, MeshVectors, RotorDesign, Segment,
+};
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
+use num_complex::Complex64;
+
+/// The designs of [`MadeUp`], in the order of the library.
+pub const STEMS: [&str; 6] =
+    ["overhung-elastic", "overhung-rigid", "straddle-elastic", "typo-in-bearing", "unsolvable", "warned"];
+
+/// A library without files: what a design is follows from its path.
+#[derive(Debug, Default)]
+pub struct MadeUp;
+
+impl Backend for MadeUp {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        if stem.starts_with("typo") {
+            return Err(BrokenDesign { one_line: "line 14: unknown key".into(), full_text: broken_text() });
+        }
+        let mut loaded = LoadedDesign::from(design(&stem));
+        if stem == "warned" {
+            loaded.warnings.push("the polar inertia of \"head\" is over twice the diametral one".into());
+            loaded.warnings.push("torque arms contradict the tooth numbers by 3 %".into());
+        }
+        Ok(loaded)
+    }
+
+    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+        if design.name.starts_with("unsolvable") {
+            let message = "gear: the shaft is not held against turning about its x axis";
+            return Err(SolveError { message: message.into() });
+        }
+        Ok(comparison(design))
+    }
+}
+
+/// The paths of a made-up library.
+pub fn paths(stems: &[&str]) -> Vec<PathBuf> {
+    stems.iter().map(|stem| PathBuf::from(format!("/designs/{stem}.toml"))).collect()
+}
+
+fn broken_text() -> String {
+    "designs/typo-in-bearing.toml:14:1: pinion.bearing[0].kq_n_per_m: unknown key\n\n\
+     \x20  13 | model = \"diagonal\"\n\
+     \x20  14 | kq_n_per_m = 6e8\n\
+     \x20     | ^^^^^^^^^^\n\n\
+     A bearing with model \"diagonal\" has the keys name, position_mm, axial_series_stiffness_n_per_m, kx_n_per_m, \
+     ky_n_per_m, kz_n_per_m, krx_n_m_per_rad and krz_n_m_per_rad.\n\nDid you mean kx_n_per_m?"
+        .into()
+}
+
+/// A design of plausible size.
+pub fn design(stem: &str) -> Design {
+    let rigid = stem.contains("rigid");
+    Design {
+        name: match stem {
+            "overhung-elastic" => "Overhung pinion and gear, elastic bearings".into(),
+            "overhung-rigid" => "Overhung pinion and gear, rigid bearings".into(),
+            other => format!("{other} (made up)"),
+        },
+        description: None,
+        tags: Vec::new(),
+        parent: None,
+        note: None,
+        analysis: Analysis {
+            frequency_min: 10.0,
+            frequency_max: 5000.0,
+            frequency_lines: 1000,
+            frequency_spacing: if stem.contains("log") { FrequencySpacing::Log } else { FrequencySpacing::Linear },
+            structural_damping: 0.03,
+            damping_model: DampingModel::Hysteretic,
+            beam_theory: BeamTheory::Timoshenko,
+        },
+        materials: BTreeMap::new(),
+        mesh: Mesh {
+            stiffness: 1.5e8,
+            damping: 0.06,
+            transmission_error: 1e-6,
+            pinion: MeshVectors { point: [0.0256, 0.0, 0.0], line_of_action: [-0.197, 0.608, 0.770] },
+            gear: MeshVectors { point: [-0.0998, 0.0, 0.0], line_of_action: [-0.608, -0.197, 0.770] },
+        },
+        pinion: RotorDesign {
+            teeth: Some(10),
+            mesh_position: 0.020,
+            housing_axial_stiffness: None,
+            segments: vec![segment(0.130, 0.042, 0.0), segment(0.050, 0.030, 0.0)],
+            bodies: vec![body("head", 0.020, 1.6, 7.0e-4, 9.0e-4)],
+            bearings: vec![bearing("B1", 0.060, rigid), bearing("B2", 0.130, rigid)],
+            drive: Drive { position: 0.180, torsional_stiffness: 1.2e4, inertia: 0.02 },
+        },
+        gear: RotorDesign {
+            teeth: Some(39),
+            mesh_position: 0.040,
+            housing_axial_stiffness: None,
+            segments: vec![segment(0.060, 0.060, 0.0), segment(0.140, 0.090, 0.060)],
+            bodies: vec![body("ring", 0.045, 9.0, 0.030, 0.058)],
+            bearings: vec![bearing("B1", 0.085, rigid), bearing("B2", 0.170, rigid)],
+            drive: Drive { position: 0.200, torsional_stiffness: 3.0e4, inertia: 0.1 },
+        },
+    }
+}
+
+fn segment(length: f64, outer_diameter: f64, inner_diameter: f64) -> Segment {
+    Segment { length, outer_diameter, inner_diameter, material: "steel".into(), elements: 4 }
+}
+
+fn body(name: &str, position: f64, mass: f64, diametral_inertia: f64, polar_inertia: f64) -> Body {
+    Body { name: name.into(), position, mass, diametral_inertia, polar_inertia }
+}
+
+fn bearing(name: &str, position: f64, rigid: bool) -> Bearing {
+    let model = if rigid {
+        BearingModel::Rigid(Hold { x: true, y: true, z: true })
+    } else {
+        BearingModel::Diagonal(DiagonalBearing { kx: 6e8, ky: 2e8, kz: 6e8, krx: 2e5, krz: 2e5 })
+    };
+    Bearing { name: name.into(), position, axial_series_stiffness: None, model }
+}
+
+/// Resonances of the finite element model: frequency in Hz, weight. The lumped models have the first ones.
+const RESONANCES: [(f64, f64); 7] =
+    [(96.0, 30.0), (520.0, 90.0), (1180.0, 260.0), (2090.0, 420.0), (2750.0, 260.0), (3420.0, 520.0), (4480.0, 300.0)];
+
+/// Spectra with a few resonances each.
+pub fn comparison(design: &Design) -> Comparison {
+    let analysis = &design.analysis;
+    let last = (analysis.frequency_lines - 1) as f64;
+    let frequency_hz: Vec<f64> = (0..analysis.frequency_lines)
+        .map(|line| line as f64 / last)
+        .map(|part| match analysis.frequency_spacing {
+            FrequencySpacing::Linear => {
+                analysis.frequency_min + (analysis.frequency_max - analysis.frequency_min) * part
+            }
+            FrequencySpacing::Log => {
+                analysis.frequency_min * (analysis.frequency_max / analysis.frequency_min).powf(part)
+            }
+        })
+        .collect();
+    let spectrum = |shift: f64, modes: usize, coordinates: usize| {
+        let force = |frequency: f64| {
+            let loss = Complex64::new(1.0, 0.04);
+            // what the missing resonances would add when the mesh is loaded slowly
+            let rest: f64 = RESONANCES[modes..].iter().map(|(_, weight)| weight).sum();
+            RESONANCES[..modes].iter().enumerate().fold(
+                Complex64::new(rest - 900.0, 0.0),
+                |sum, (at, (centre, weight))| {
+                    let centre = centre * (1.0 + shift * at as f64 * at as f64);
+                    sum + weight * centre * centre / (centre * centre * loss - frequency * frequency)
+                },
+            )
+        };
+        let mesh_force: Vec<Complex64> = frequency_hz.iter().map(|&frequency| force(frequency)).collect();
+        Spectrum { transmission_error: mesh_force.iter().map(|force| force / 1.5e8).collect(), mesh_force, coordinates }
+    };
+    let (fe, enhanced, basic) = (spectrum(0.0, 7, 92), spectrum(0.0005, 5, 14), spectrum(0.02, 3, 14));
+    Comparison {
+        frequency_hz,
+        fe,
+        enhanced,
+        basic,
+        enhanced_agreement: agreement(
+            3.72,
+            12.7,
+            3412.0,
+            0.56,
+            if design.name.contains("rigid") { 3364.0 } else { 2997.0 },
+        ),
+        basic_agreement: agreement(10.13, 31.0, 4980.0, 0.12, 236.0),
+    }
+}
+
+fn agreement(rms_db: f64, max_db: f64, max_at_hz: f64, frac: f64, agreement_limit_hz: f64) -> Agreement {
+    Agreement { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks: Vec::new() }
+}
