@@ -22,7 +22,7 @@ impl Severity {
 }
 
 /// One thing found while reading a design file. Texts may hold characters of the file: show them through
-/// [`render`](super::render), which makes them harmless.
+/// [`Source::render`](super::Source::render), which makes them harmless.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     pub severity: Severity,
@@ -48,7 +48,10 @@ pub(super) struct Collector {
 impl Collector {
     pub const LIMIT: usize = 200;
 
-    pub fn push(&self, finding: Finding) {
+    pub fn push(&self, mut finding: Finding) {
+        // names may be as long as the file
+        let texts = [Some(&mut finding.key_path), Some(&mut finding.message), finding.hint.as_mut()];
+        texts.into_iter().flatten().for_each(clip);
         let mut kept = self.kept.borrow_mut();
         if kept.len() < Self::LIMIT || (finding.severity == Severity::Error && !kept.iter().any(is_error)) {
             kept.push(finding);
@@ -84,6 +87,16 @@ impl Collector {
             findings.push(Finding { severity, key_path: String::new(), span: None, message, hint: None });
         }
         findings
+    }
+}
+
+/// Longest text of a finding, in characters.
+const LONGEST: usize = 500;
+
+fn clip(text: &mut String) {
+    if let Some((end, _)) = text.char_indices().nth(LONGEST) {
+        text.truncate(end);
+        text.push_str("...");
     }
 }
 

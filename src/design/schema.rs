@@ -1,6 +1,6 @@
 //! What a design file may hold: tables of fields, each declared once beside the struct field that it fills.
 //!
-//! The declarations are in [`model`](super::model) and [`rotor`](super::rotor); [`ROOT`] is the top. Reading, limits,
+//! The declarations are in `model.rs` and `rotor.rs` of this folder; [`ROOT`] is the top. Reading, limits,
 //! hints, table columns and the reference page all come from here.
 
 use crate::units::Quantity;

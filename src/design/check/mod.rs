@@ -50,7 +50,7 @@ pub(super) fn check(design: &mut Design, root: &DeTable<'_>, findings: &Collecto
 fn analysis(analysis: &Analysis, path: &KeyPath, checker: &Checker<'_>) {
     let (min, max) = (analysis.frequency_min, analysis.frequency_max);
     if max <= min {
-        let message = format!("must be greater than frequency_min_hz, {min:?} Hz; it is {max:?}");
+        let message = format!("must be greater than frequency_min_hz, {min:?} Hz; it is {max:?} Hz");
         checker.error(&path.key("frequency_max_hz"), message, None);
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn check(
 fn check_segment(segment: &Segment, materials: &BTreeMap<String, Material>, path: &KeyPath, checker: &Checker<'_>) {
     let (inner, outer) = (segment.inner_diameter, segment.outer_diameter);
     if inner >= outer {
-        let message = format!("must be less than outer_diameter_mm, {:?} mm; it is {:?}", outer * 1e3, inner * 1e3);
+        let message = format!("must be less than outer_diameter_mm, {:?} mm; it is {:?} mm", outer * 1e3, inner * 1e3);
         checker.error(&path.key("inner_diameter_mm"), message, None);
     }
     let material = segment.material.as_str();

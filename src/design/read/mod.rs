@@ -17,6 +17,7 @@ use super::check;
 use super::finding::{Collector, Finding, Severity, is_error};
 use super::key_path::KeyPath;
 use super::model::{Design, FORMAT};
+use super::schema::ROOT;
 
 /// A value of the file with its place in the text.
 pub(super) type Value<'r> = toml::Spanned<DeValue<'r>>;
@@ -61,6 +62,8 @@ fn read_into(text: &str, findings: &Collector) -> Option<Design> {
         return None;
     }
     let mut reader = TableReader::root(root, text, findings);
+    // fills no field of the design, but must be there
+    ROOT.field("format").and_then(|field| reader.whole(field));
     let mut design = Design::from_table(&mut reader);
     reader.finish();
     check::check(&mut design, root, findings);

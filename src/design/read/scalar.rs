@@ -62,7 +62,7 @@ impl TableReader<'_> {
     }
 
     /// A whole number; nothing where there is none, reported unless it is optional.
-    fn whole(&self, field: &'static Field) -> Option<u64> {
+    pub fn whole(&self, field: &'static Field) -> Option<u64> {
         let Kind::Whole(low, high) = field.kind else { return None };
         let value = match self.look_up(field) {
             Found::Written(value) => value,
@@ -70,18 +70,20 @@ impl TableReader<'_> {
             Found::Default(_) | Found::Nothing => return None,
         };
         let exact = match value.get_ref() {
-            DeValue::Integer(integer) => i128::from_str_radix(integer.as_str(), integer.radix()).ok(),
-            // every double up to 2^63 with no fraction is a whole number exactly
-            _ => as_number(value.get_ref())
-                .ok()
-                .filter(|n| n.fract() == 0.0 && n.abs() <= 2f64.powi(63))
-                .map(|n| n as i128),
+            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(i128::from),
+            // a double without fraction is a whole number exactly; one beyond i128 becomes its end
+            _ => as_number(value.get_ref()).ok().filter(|n| n.fract() == 0.0).map(|n| n as i128),
         };
         let raw = || written::raw(self.text, value);
         let message = match (exact, as_number(value.get_ref())) {
             (Some(number), _) => match u64::try_from(number) {
                 Ok(number) if (low..=high).contains(&number) => return Some(number),
-                _ if high == u64::MAX => format!("must be at least {low}; it is {}", raw()),
+                // without a limit of its own, a later check says what is too much
+                _ if high == u64::MAX && number > 0 => return Some(u64::MAX),
+                _ if high == low => format!("must be {low}; it is {}", raw()),
+                _ if number < i128::from(low) && high >= u64::from(u32::MAX) => {
+                    format!("must be at least {low}; it is {}", raw())
+                }
                 _ => format!("must be from {low} to {high}; it is {}", raw()),
             },
             (None, Ok(_)) => format!("must be a whole number; it is {}", raw()),
@@ -244,7 +246,7 @@ impl FromFile for Hold {
         let path = reader.path_of(field);
         let entries = reader.list(&path, value, &written::wanted(field), None);
         if value.get_ref().as_array().is_some_and(|array| array.is_empty()) {
-            let message = format!("must not be empty; it is a list of {}", written::quoted(Self::WORDS));
+            let message = format!("must not be empty: any of {}", written::quoted(Self::WORDS));
             reader.wrong(&path, value, message, None);
         }
         for (place, entry) in entries.iter().enumerate() {

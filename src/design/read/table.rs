@@ -144,14 +144,18 @@ impl<'r> TableReader<'r> {
                 (Some(_), None) => {}
             }
         }
-        let keys = self.schemas.iter().flat_map(|schema| schema.fields).map(|field| field.key);
-        let hint = format!("{}{}", did_you_mean(name, keys), self.allowed());
+        let hint = format!("{}{}", did_you_mean(name, self.keys()), self.allowed());
         self.findings.error(path, span, "unknown key", Some(hint));
     }
 
     fn allowed(&self) -> String {
-        let keys = self.schemas.iter().flat_map(|schema| schema.fields).map(|field| field.key);
-        format!("allowed here: {}", listed(keys))
+        format!("allowed here: {}", listed(self.keys()))
+    }
+
+    /// The keys that may be written here.
+    fn keys(&self) -> impl Iterator<Item = &'static str> {
+        let fields = self.schemas.iter().flat_map(|schema| schema.fields);
+        fields.filter(|field| !matches!(field.kind, Kind::Unsupported { .. })).map(|field| field.key)
     }
 
     fn read_table<T: FromTable>(&self, path: KeyPath, value: &'r Value<'r>, place: usize, name: &'r str) -> Option<T> {

@@ -25,10 +25,14 @@ pub(super) fn what(text: &str, value: &Value<'_>) -> String {
     }
 }
 
-/// What a field wants: `Length: a number in mm, greater than 0 mm`.
+/// What a field is, and what it wants: `Length. Write a number in mm, greater than 0 mm.`
 pub(super) fn describe(field: &Field) -> String {
-    let doc = field.doc.trim_end_matches('.');
-    format!("{doc}: {}", wanted(field))
+    let limit = match field.kind {
+        Kind::Number(quantity, limit) => limit.describe(quantity),
+        _ => String::new(),
+    };
+    let comma = if limit.is_empty() { "" } else { ", " };
+    format!("{} Write {}{comma}{limit}.", field.doc, wanted(field))
 }
 
 /// What may be written: `a number in mm`.
