@@ -1,0 +1,314 @@
+//! The program from outside: what it prints, where, and how it ends, on good and on bad input.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_bevelscope");
+
+fn designs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("designs")
+}
+
+fn elastic() -> String {
+    designs().join("overhung-elastic.toml").display().to_string()
+}
+
+fn elastic_text() -> String {
+    std::fs::read_to_string(elastic()).unwrap()
+}
+
+fn bevelscope(arguments: &[&str]) -> Output {
+    Command::new(PROGRAM).args(arguments).stdin(Stdio::null()).output().unwrap()
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+/// Bad input: exit 2, a message on stderr that holds the given words, nothing on stdout.
+fn refused(arguments: &[&str], words: &[&str]) {
+    let output = bevelscope(arguments);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
+    assert_eq!(stdout(&output), "", "{arguments:?}");
+    for word in words {
+        assert!(stderr(&output).contains(word), "{arguments:?}: no {word:?} in: {}", stderr(&output));
+    }
+}
+
+/// A folder with one file of the given content.
+fn folder_with(name: &str, content: impl AsRef<[u8]>) -> (TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join(name);
+    std::fs::write(&file, content).unwrap();
+    let file = file.display().to_string();
+    (folder, file)
+}
+
+#[test]
+fn csv_reads_back_as_the_json() {
+    let json = bevelscope(&["solve", &elastic(), "--format", "json"]);
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    let csv = bevelscope(&["solve", &elastic(), "--format", "csv"]);
+    let mut lines = stdout(&csv).split_terminator("\r\n");
+    assert_eq!(
+        lines.next().unwrap(),
+        "frequency_hz,\
+         fe_mesh_force_n_re,fe_mesh_force_n_im,fe_transmission_error_m_re,fe_transmission_error_m_im,\
+         enhanced_mesh_force_n_re,enhanced_mesh_force_n_im,enhanced_transmission_error_m_re,enhanced_transmission_error_m_im,\
+         basic_mesh_force_n_re,basic_mesh_force_n_im,basic_transmission_error_m_re,basic_transmission_error_m_im"
+    );
+    let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 1000);
+    for (i, row) in rows.iter().enumerate() {
+        let mut wanted = vec![json["frequency_hz"][i].as_f64().unwrap()];
+        for model in ["fe", "enhanced", "basic"] {
+            for quantity in ["mesh_force_n", "transmission_error_m"] {
+                wanted.extend(["re", "im"].map(|part| json["models"][model][quantity][part][i].as_f64().unwrap()));
+            }
+        }
+        assert_eq!(*row, wanted, "line {i}");
+    }
+}
+
+#[test]
+fn models_are_chosen_and_ordered() {
+    let output = bevelscope(&["solve", &elastic(), "--model", "basic,fe,basic", "--format", "csv"]);
+    let header = stdout(&output).lines().next().unwrap();
+    assert!(header.starts_with("frequency_hz,basic_mesh_force_n_re,"), "{header}");
+    assert_eq!(header.split(',').count(), 9);
+    let output = bevelscope(&["modes", &elastic(), "--model", "enhanced", "--format", "json"]);
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(json["models"].as_object().unwrap().keys().collect::<Vec<_>>(), ["enhanced"]);
+    assert_eq!(json["models"]["enhanced"].as_array().unwrap().len(), 14);
+}
+
+#[test]
+fn tables_fit_eighty_columns_and_say_their_units() {
+    for (arguments, units) in [
+        (vec!["solve", "--format", "table"], vec!["Hz", "F, N", "deg", "um"]),
+        (vec!["modes"], vec!["Hz", "%", "MAC"]),
+        (vec!["inspect"], vec!["mm", "kg", "kg m2", "Hz", "N/m"]),
+        (vec!["check"], vec!["limit Hz", "dB", "FRAC"]),
+    ] {
+        for design in ["overhung-elastic", "overhung-rigid", "straddle-elastic"] {
+            let file = designs().join(format!("{design}.toml")).display().to_string();
+            let arguments: Vec<&str> = arguments.iter().copied().chain([file.as_str()]).collect();
+            let output = bevelscope(&arguments);
+            assert!(output.status.success(), "{}", stderr(&output));
+            let widest = stdout(&output).lines().map(|line| line.chars().count()).max().unwrap();
+            assert!(widest <= 80, "{arguments:?}: {widest} columns");
+            for unit in &units {
+                assert!(stdout(&output).contains(unit), "{arguments:?}: no {unit}");
+            }
+        }
+    }
+}
+
+#[test]
+fn standard_input_is_a_file_too() {
+    for command in ["solve", "modes", "inspect", "check"] {
+        let mut child = Command::new(PROGRAM)
+            .args([command, "-", "--format", "json"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(elastic_text().as_bytes()).unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success(), "{command}");
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let design = if command == "check" { &json[0]["design"] } else { &json["design"] };
+        assert_eq!(design, "Both overhung, elastic bearings", "{command}");
+    }
+}
+
+#[test]
+fn check_lists_a_folder_by_file_name() {
+    let output = bevelscope(&["check", designs().to_str().unwrap(), "--format", "json"]);
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let files: Vec<&str> = json.as_array().unwrap().iter().map(|row| row["file"].as_str().unwrap()).collect();
+    let stems: Vec<&str> = files.iter().map(|file| Path::new(file).file_stem().unwrap().to_str().unwrap()).collect();
+    assert_eq!(stems, ["overhung-elastic", "overhung-rigid", "straddle-elastic"]);
+}
+
+#[test]
+fn check_judges_the_enhanced_model_by_the_limits() {
+    let status = |limits: &[&str]| {
+        let designs = designs().display().to_string();
+        let arguments: Vec<&str> = ["check", designs.as_str()].into_iter().chain(limits.iter().copied()).collect();
+        bevelscope(&arguments).status.code().unwrap()
+    };
+    // 3.72 dB and 2,997 Hz are the worst of the three
+    assert_eq!(status(&[]), 0);
+    assert_eq!(status(&["--max-rms-db", "4"]), 0);
+    assert_eq!(status(&["--max-rms-db", "3.5"]), 1);
+    assert_eq!(status(&["--min-limit-hz", "2990"]), 0);
+    assert_eq!(status(&["--min-limit-hz", "3000"]), 1);
+    // the band restricts the RMS but not the agreement limit
+    assert_eq!(status(&["--max-rms-db", "1", "--band", "10:1500"]), 0);
+    assert_eq!(status(&["--min-limit-hz", "2990", "--band", "10:1500"]), 0);
+}
+
+#[test]
+fn check_goes_on_after_a_broken_design() {
+    let (folder, _) = folder_with("broken.toml", "format = 1\nname = ");
+    std::fs::write(folder.path().join("whole.toml"), elastic_text()).unwrap();
+    let output = bevelscope(&["check", folder.path().to_str().unwrap(), "--format", "json"]);
+    assert_eq!(output.status.code(), Some(2));
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(json[0]["error"].as_str().unwrap().contains("broken.toml:2"), "{json}");
+    assert_eq!(json[1]["design"], "Both overhung, elastic bearings");
+    let table = bevelscope(&["check", folder.path().to_str().unwrap()]);
+    assert_eq!(table.status.code(), Some(2));
+    assert!(stdout(&table).contains("broken") && stdout(&table).contains("whole"), "{}", stdout(&table));
+    // limits do not turn bad input into a mere 1
+    let limited = bevelscope(&["check", folder.path().to_str().unwrap(), "--max-rms-db", "0"]);
+    assert_eq!(limited.status.code(), Some(2));
+}
+
+#[test]
+fn bad_files_are_refused() {
+    for command in ["solve", "modes", "inspect"] {
+        let (_folder, empty) = folder_with("empty.toml", "");
+        refused(&[command, &empty], &["the file is empty"]);
+        let (_folder, large) = folder_with("large.toml", vec![b'#'; (4 << 20) + 1]);
+        refused(&[command, &large], &["4 MiB"]);
+        let (_folder, latin) = folder_with("latin.toml", b"format = 1\nname = \"Stra\xdfe\"\n");
+        refused(&[command, &latin], &["latin.toml:2", "UTF-8"]);
+        let (_folder, nan) = folder_with("nan.toml", elastic_text().replace("= 6.4e8", "= nan"));
+        refused(&[command, &nan], &["mesh.stiffness_n_per_m", "nan"]);
+        let (_folder, unknown) = folder_with("unknown.toml", elastic_text().replace("teeth = 14", "teth = 14"));
+        refused(&[command, &unknown], &["pinion.teth", "`teeth`"]);
+        refused(&[command, designs().to_str().unwrap()], &["this is a folder"]);
+        refused(&[command, "no-such.toml"], &["there is no such file"]);
+    }
+}
+
+/// Values that can be read but not computed with: the error names what came out, and no figure is printed.
+#[test]
+fn values_that_overflow_name_their_result() {
+    let text = elastic_text();
+    for (from, to, words) in [
+        ("stiffness_n_per_m = 6.4e8", "stiffness_n_per_m = 1e308", vec!["mesh force"]),
+        ("mass_kg = 3.67", "mass_kg = 1e308", vec!["gear shaft"]),
+        ("kx_n_per_m = 6.000e+08", "kx_n_per_m = 1e308", vec!["pinion shaft"]),
+        ("inertia_kg_m2 = 0.3", "inertia_kg_m2 = 1e308", vec!["gear shaft"]),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let (_folder, file) = folder_with("huge.toml", text.replacen(from, to, 1));
+        let output = bevelscope(&["solve", &file, "--format", "json"]);
+        match output.status.code() {
+            // a result that is finite all the same is a result
+            Some(0) => {
+                let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+                let forces = json["models"]["fe"]["mesh_force_n"]["re"].as_array().unwrap();
+                assert!(forces.iter().all(|force| force.as_f64().is_some_and(f64::is_finite)), "{to}");
+            }
+            Some(2) => {
+                assert_eq!(stdout(&output), "", "{to}");
+                assert!(words.iter().any(|word| stderr(&output).contains(word)), "{to}: {}", stderr(&output));
+            }
+            other => panic!("{to}: {other:?} {}", stderr(&output)),
+        }
+    }
+}
+
+#[test]
+fn an_unsupported_shaft_is_named_with_its_motion() {
+    let text = elastic_text().replace("ky_n_per_m = 2.200e+08", "ky_n_per_m = 0");
+    let (_folder, file) = folder_with("loose.toml", text);
+    refused(&["solve", &file], &["gear shaft: nothing holds it in the axial direction"]);
+    let check = bevelscope(&["check", &file]);
+    assert_eq!(check.status.code(), Some(2));
+    assert!(stdout(&check).contains("nothing holds it in the axial direction"), "{}", stdout(&check));
+}
+
+/// Escape sequences in a name would recolour, clear or retitle the terminal that shows them.
+#[test]
+fn escape_sequences_in_names_are_shown_harmlessly() {
+    let text = elastic_text()
+        .replace("\"Both overhung, elastic bearings\"", r#""evil \u001b[31m\u001b]0;title\u0007 \u009b2J name""#)
+        .replace("name = \"B1\"", r#"name = "B\u001b[2J1""#);
+    let (_folder, file) = folder_with("\u{1b}[2Jevil.toml", text);
+    for arguments in [
+        vec!["solve", &file],
+        vec!["solve", &file, "--format", "json"],
+        vec!["solve", &file, "--format", "csv"],
+        vec!["modes", &file],
+        vec!["modes", &file, "--format", "json"],
+        vec!["inspect", &file],
+        vec!["inspect", &file, "--format", "json"],
+        vec!["check", &file],
+        vec!["check", &file, "--format", "json"],
+    ] {
+        let output = bevelscope(&arguments);
+        assert!(output.status.success(), "{arguments:?}: {}", stderr(&output));
+        for text in [stdout(&output), stderr(&output)] {
+            let control = text.chars().find(|c| c.is_control() && !matches!(c, '\n' | '\r'));
+            assert_eq!(control, None, "{arguments:?}");
+        }
+    }
+    let json = bevelscope(&["inspect", &file, "--format", "json"]);
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["design"], "evil \u{1b}[31m\u{1b}]0;title\u{7} \u{9b}2J name", "the data itself is untouched");
+}
+
+#[test]
+fn a_folder_without_designs_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    refused(&["check", folder.path().to_str().unwrap()], &["no design"]);
+    refused(&["check", folder.path().join("missing").to_str().unwrap()], &[]);
+}
+
+#[test]
+fn bad_usage_exits_with_two() {
+    refused(&["check", &elastic(), "--band", "1000:100"], &["--band", "lower first"]);
+    refused(&["check", &elastic(), "--band", "5000:6000"], &[]);
+    refused(&["check", &elastic(), "--max-rms-db", "much"], &["--max-rms-db"]);
+    refused(&["check"], &["PATHS"]);
+    refused(&["solve", &elastic(), "--model", "fe,reduced"], &["reduced", "enhanced"]);
+    refused(&["solve", &elastic(), "--format", "xml"], &["xml", "csv"]);
+    refused(&["--no-such-flag"], &["--no-such-flag"]);
+}
+
+#[test]
+fn the_explorer_needs_a_terminal() {
+    refused(&[], &["not a terminal"]);
+    refused(&[designs().to_str().unwrap()], &["not a terminal", "bevelscope check"]);
+    refused(&["no-such-folder"], &["there is no such file or folder"]);
+}
+
+/// `bevelscope solve ... | head -1` ends quietly.
+#[test]
+fn a_reader_that_leaves_early_ends_the_program_quietly() {
+    let mut child = Command::new(PROGRAM)
+        .args(["solve", &elastic(), "--format", "json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut first = [0; 16];
+    child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(stderr(&output), "");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = Command::new(PROGRAM).args(["solve", &elastic()]).stdout(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("cannot write the output"), "{}", stderr(&output));
+}
