@@ -131,6 +131,13 @@ fn an_older_result_never_overwrites_a_newer_one() {
     screen.send(result(&older, 2222.0));
     assert!(screen.text().contains("trust up to 1,111 Hz"), "{}", screen.text());
     assert!(!screen.text().contains("2,222"), "{}", screen.text());
+    // nor does it take the newer one's place while that is still to come
+    let older = solve_job(&mut screen, "R");
+    let newer = solve_job(&mut screen, "R");
+    screen.send(result(&older, 2222.0));
+    assert!(screen.text().contains("1,111") && !screen.text().contains("2,222"), "{}", screen.text());
+    screen.send(result(&newer, 1112.0));
+    assert!(screen.text().contains("trust up to 1,112 Hz"), "{}", screen.text());
     // one that was asked for before everything was marked to be read again
     let row = Job { ticket: Ticket(0), path: paths(&STEMS)[1].clone(), with_traces: false };
     screen.send(result(&row, 2222.0));
