@@ -66,14 +66,14 @@ actions! {
     PageDown, "page-down", Move, "a page down";
     First, "first", Move, "the first design or line";
     Last, "last", Move, "the last design or line";
-    NextPane, "next-pane", Move, "between the designs and the error text", hint 2 "next pane";
-    Filter, "filter", Find, "show only designs with these letters in file or design name", hint 3 "filter";
+    NextPane, "next-pane", Move, "to the error text and back to the designs", hint 2 "next pane";
+    Filter, "filter", Find, "only designs with these letters in a name", hint 3 "filter";
     KeepFilter, "keep-filter", Find, "keep the filter and go back to the designs", hint 1 "keep filter";
-    NextMatch, "next-match", Find, "the next match, from the top again after the last", hint 4 "match";
+    NextMatch, "next-match", Find, "the next match; after the last the first", hint 4 "match";
     PreviousMatch, "previous-match", Find, "the match before", hint 4 "match";
     DeleteCharacter, "delete-character", Find, "delete the last letter of the filter";
     ClearText, "clear-text", Find, "delete all letters of the filter";
-    Back, "back", Program, "one level back: close the help, leave the text, drop the filter", hint 2 "back";
+    Back, "back", Program, "one level back; never quits", hint 2 "back";
     Reread, "reread", Program, "read the folder and the designs again", hint 6 "reread";
     Redraw, "redraw", Program, "draw the whole screen again";
     Suspend, "suspend", Program, "suspend; fg in the shell comes back";

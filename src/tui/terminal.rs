@@ -4,6 +4,7 @@
 //! or ended by a signal.
 
 use std::io::{self, BufWriter, Stdout, Write};
+use std::mem::ManuallyDrop;
 use std::panic;
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -28,7 +29,8 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 
 /// A terminal that is ours until this is dropped.
 pub struct Session {
-    terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+    /// Never dropped: ratatui would show the cursor once more, and where the terminal is gone panic over it.
+    terminal: ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>,
 }
 
 impl std::fmt::Debug for Session {
@@ -49,7 +51,7 @@ impl Session {
         force_color_output(true);
         // a frame is written in one piece
         let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
-        let session = Self { terminal: Terminal::new(backend)? };
+        let session = Self { terminal: ManuallyDrop::new(Terminal::new(backend)?) };
         take()?;
         Ok(session)
     }

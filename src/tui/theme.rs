@@ -144,7 +144,8 @@ impl Theme {
         Self {
             enhanced: plain.fg(Color::Cyan),
             basic: plain.fg(Color::Magenta),
-            band: plain.bg(band_colour(capabilities)),
+            // dimmed, or half a picture of it would outshine the curves
+            band: plain.bg(band_colour(capabilities)).add_modifier(Modifier::DIM),
             beyond: bold.fg(Color::Red),
             border: plain.add_modifier(Modifier::DIM),
             border_focused: bold.fg(Color::Cyan),

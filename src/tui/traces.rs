@@ -27,6 +27,8 @@ pub struct Traces {
     difference: Vec<f64>,
     /// Lowest and highest level that the picture shows, dB.
     pub range: (f64, f64),
+    /// The largest |enhanced - FE|, dB
+    pub largest_difference: f64,
 }
 
 /// Lowest and highest value in each column; `None` where there is no value.
@@ -55,7 +57,9 @@ impl Traces {
         let fe = levels(&comparison.fe.mesh_force);
         let enhanced = levels(&comparison.enhanced.mesh_force);
         let basic = levels(&comparison.basic.mesh_force);
-        let difference = enhanced.iter().zip(&fe).map(|(enhanced, fe)| enhanced - fe).collect();
+        let difference: Vec<f64> = enhanced.iter().zip(&fe).map(|(enhanced, fe)| enhanced - fe).collect();
+        let finite = difference.iter().filter(|value| value.is_finite());
+        let largest_difference = finite.fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let frequency = comparison.frequency_hz.clone();
         let axis = FrequencyAxis {
             min: frequency.first().copied().unwrap_or(0.0),
@@ -63,7 +67,7 @@ impl Traces {
             log: analysis.frequency_spacing == FrequencySpacing::Log,
         };
         let range = range(&[&fe, &enhanced, &basic]);
-        Self { axis, frequency, fe, enhanced, basic, difference, range }
+        Self { axis, frequency, fe, enhanced, basic, difference, range, largest_difference }
     }
 
     /// The columns of a picture `width` characters wide with `dots` dots in each.
@@ -81,11 +85,6 @@ impl Traces {
             basic: envelope(&self.basic, width * dots),
             difference,
         }
-    }
-
-    /// The largest |difference|, dB.
-    pub fn largest_difference(&self) -> f64 {
-        self.difference.iter().filter(|value| value.is_finite()).fold(0.0, |largest, value| value.abs().max(largest))
     }
 }
 

@@ -1,8 +1,10 @@
 //! Made-up designs and spectra for the tests of the explorer: plausible to look at, and the same on every machine.
 #![allow(dead_code, reason = "each test uses its own part")]
+#![allow(clippy::unwrap_used, clippy::format_push_string, reason = "helpers of tests")]
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use bevelscope::agreement::Agreement;
 use bevelscope::comparison::{Comparison, SolveError, Spectrum};
@@ -10,8 +12,18 @@ use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
     Hold, Mesh, MeshVectors, RotorDesign, Segment,
 };
-use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
+use bevelscope::tui::app::App;
+use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
+use bevelscope::tui::message::{Effect, Message};
+use bevelscope::tui::worker::{self, Job};
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
 use num_complex::Complex64;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::{Buffer, Cell};
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::style::{Color, Modifier};
+use unicode_width::UnicodeWidthStr;
 
 /// The designs of [`MadeUp`], in the order of the library.
 pub const STEMS: [&str; 6] =
@@ -181,4 +193,191 @@ pub fn comparison(design: &Design) -> Comparison {
 
 fn agreement(rms_db: f64, max_db: f64, max_at_hz: f64, frac: f64, agreement_limit_hz: f64) -> Agreement {
     Agreement { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks: Vec::new() }
+}
+
+/// The explorer on a made-up terminal. Work in the background is done at once, unless it is held.
+pub struct Screen {
+    pub app: App,
+    pub terminal: Terminal<TestBackend>,
+    backend: Box<dyn Backend>,
+    /// Effects are collected and not carried out.
+    pub held: bool,
+    pub effects: Vec<Effect>,
+}
+
+/// What the tests ask of the made-up terminal.
+pub const UNICODE: Capabilities =
+    Capabilities { colour: ColourDepth::Sixteen, background: Background::Unknown, ascii: false };
+pub const ASCII: Capabilities = Capabilities { ascii: true, ..UNICODE };
+
+impl Screen {
+    /// The made-up library, all of it read and solved.
+    pub fn new(width: u16, height: u16, capabilities: Capabilities) -> Self {
+        Self::with(&STEMS, width, height, capabilities, MadeUp)
+    }
+
+    pub fn with(
+        stems: &[&str],
+        width: u16,
+        height: u16,
+        capabilities: Capabilities,
+        backend: impl Backend + 'static,
+    ) -> Self {
+        let mut screen = Self::before_start(stems, width, height, capabilities, backend);
+        let effects = screen.app.start();
+        screen.carry_out(effects);
+        screen.draw();
+        screen
+    }
+
+    /// The first frame: nothing is read yet.
+    pub fn before_start(
+        stems: &[&str],
+        width: u16,
+        height: u16,
+        capabilities: Capabilities,
+        backend: impl Backend + 'static,
+    ) -> Self {
+        let app = App::new(paths(stems), "~/designs".into(), capabilities);
+        let terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
+        let mut screen = Self { app, terminal, backend: Box::new(backend), held: false, effects: Vec::new() };
+        screen.draw();
+        screen
+    }
+
+    pub fn draw(&mut self) {
+        self.terminal.draw(|frame| view::draw(&mut self.app, frame)).unwrap();
+    }
+
+    pub fn resize(&mut self, width: u16, height: u16) {
+        self.terminal.backend_mut().resize(width, height);
+        self.send(Message::Resized);
+    }
+
+    pub fn send(&mut self, message: Message) {
+        let effects = self.app.update(message);
+        self.carry_out(effects);
+        self.draw();
+        let effects = self.app.after_frame();
+        self.carry_out(effects);
+    }
+
+    fn carry_out(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            let jobs = match &effect {
+                Effect::Solve(job) => vec![job.clone()],
+                Effect::Fill(jobs) => jobs.clone(),
+                _ => Vec::new(),
+            };
+            self.effects.push(effect);
+            for job in jobs {
+                if !self.held {
+                    self.perform(&job);
+                }
+            }
+        }
+    }
+
+    /// Does one job and takes in its results.
+    pub fn perform(&mut self, job: &Job) {
+        let mut messages = Vec::new();
+        worker::perform(job, &*self.backend, &mut |message| messages.push(message));
+        for mut message in messages {
+            if let Message::Solved { result: Ok(solved), .. } = &mut message {
+                // the only thing that differs from run to run
+                solved.summary.elapsed = Duration::from_micros(640);
+            }
+            let effects = self.app.update(message);
+            self.carry_out(effects);
+        }
+    }
+
+    /// Presses keys: single letters, or names in angle brackets, e.g. `jj<Tab>/rigid<Enter>`.
+    pub fn keys(&mut self, script: &str) -> &mut Self {
+        let mut rest = script;
+        while let Some(first) = rest.chars().next() {
+            let named = rest.strip_prefix('<').and_then(|name| name.split_once('>'));
+            let event = if let Some((name, after)) = named {
+                rest = after;
+                named_key(name)
+            } else {
+                rest = &rest[first.len_utf8()..];
+                KeyEvent::from(KeyCode::Char(first))
+            };
+            self.send(Message::Key(event));
+        }
+        self
+    }
+
+    pub fn buffer(&self) -> &Buffer {
+        self.terminal.backend().buffer()
+    }
+
+    /// The lines of the screen.
+    pub fn text(&self) -> String {
+        let width = usize::from(self.buffer().area.width).max(1);
+        let rows = self.buffer().content().chunks(width);
+        rows.map(|row| {
+            // what stands behind a wide character is not drawn
+            let mut hidden = 0;
+            let shown = row.iter().filter(|cell| {
+                let draw = hidden == 0;
+                hidden = if draw { cell.symbol().width().max(1) - 1 } else { hidden - 1 };
+                draw
+            });
+            shown.map(Cell::symbol).collect::<String>().trim_end().to_owned() + "\n"
+        })
+        .collect()
+    }
+
+    /// The lines of the screen with a letter for the style of each cell, and what the letters mean.
+    pub fn styles(&self) -> String {
+        let mut found: Vec<(Color, Color, Modifier)> = Vec::new();
+        let mut grid = String::new();
+        for row in self.buffer().content().chunks(usize::from(self.buffer().area.width).max(1)) {
+            for cell in row {
+                let style = (cell.fg, cell.bg, cell.modifier);
+                let at = found.iter().position(|other| *other == style).unwrap_or_else(|| {
+                    found.push(style);
+                    found.len() - 1
+                });
+                grid.push(char::from(b'a' + u8::try_from(at).unwrap()));
+            }
+            grid.push('\n');
+        }
+        for (at, (front, back, modifier)) in found.iter().enumerate() {
+            grid.push_str(&format!(
+                "{}: {front} on {back} {modifier:?}\n",
+                char::from(b'a' + u8::try_from(at).unwrap())
+            ));
+        }
+        grid
+    }
+
+    /// The row of the library that is marked as selected.
+    pub fn selected(&self) -> String {
+        self.app.library.selected().map_or(String::new(), |row| row.stem.clone())
+    }
+}
+
+fn named_key(name: &str) -> KeyEvent {
+    let code = match name {
+        "Enter" => KeyCode::Enter,
+        "Esc" => KeyCode::Esc,
+        "Tab" => KeyCode::Tab,
+        "Backspace" => KeyCode::Backspace,
+        "Up" => KeyCode::Up,
+        "Down" => KeyCode::Down,
+        "Left" => KeyCode::Left,
+        "Right" => KeyCode::Right,
+        "Home" => KeyCode::Home,
+        "End" => KeyCode::End,
+        "PgUp" => KeyCode::PageUp,
+        "PgDn" => KeyCode::PageDown,
+        other => {
+            let letter = other.strip_prefix("Ctrl-").and_then(|rest| rest.chars().next()).unwrap();
+            return KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL);
+        }
+    };
+    KeyEvent::from(code)
 }

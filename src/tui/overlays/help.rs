@@ -21,7 +21,7 @@ use crate::tui::theme::Theme;
 use crate::tui::traces::TOLERANCE_DB;
 use crate::tui::widgets::panel::{self, Title};
 
-const KEYS: usize = 16;
+const KEYS: usize = 20;
 
 /// Draws the help over `area`.
 pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) {

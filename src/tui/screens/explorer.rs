@@ -17,6 +17,7 @@ use ratatui::layout::Rect;
 
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
+use crate::tui::library::RowState;
 use crate::tui::overlays;
 use crate::tui::text::printable;
 use crate::tui::widgets::canvas::Canvas;
@@ -57,16 +58,20 @@ pub fn render(app: &mut App, frame: &mut Frame) {
 fn render_left(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let focused = matches!(app.mode, Mode::Library | Mode::Filter);
     let inner = panel::frame(area, buffer, &library::title(app), focused, &app.theme);
-    let side_height = if inner.height >= 15 { (inner.height * 3 / 5).min(16) } else { 0 };
+    let has_side_view = inner.height >= 15 && !app.library.is_empty();
+    let side_height = if has_side_view { (inner.height * 3 / 5).min(16) } else { 0 };
     let list = Rect { height: inner.height - side_height, ..inner };
     app.view_moved |= app.library.scroll_into_view(library::rows(list));
     library::render(app, list, buffer);
     if side_height > 0 {
         panel::divider(area, buffer, list.bottom(), &Title::left("Side view"), &app.theme);
-        if let Some(loaded) = app.library.selected().and_then(|row| row.loaded.clone()) {
-            let side = Rect { y: list.bottom() + 1, height: side_height - 1, ..inner };
+        let side = Rect { y: list.bottom() + 1, height: side_height - 1, ..inner };
+        if let Some(loaded) = app.library.selected().and_then(|row| row.loaded.as_ref()) {
             side_view::render(&loaded.design, &app.theme, side, buffer);
             panel::bottom(area, buffer, &side_view::legend(&app.theme), focused, &app.theme);
+        } else if let Some(row) = app.library.selected() {
+            let text = if matches!(row.state, RowState::Broken(_)) { " nothing to draw" } else { " not read yet" };
+            buffer.set_stringn(side.x, side.y, text, usize::from(side.width), app.theme.faint);
         }
     }
 }
@@ -142,7 +147,7 @@ fn without_result(app: &App) -> (&'static str, String) {
 
 fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = format!(
-        "bevelscope needs a window of {MIN_WIDTH}x{MIN_HEIGHT} characters; this one has {}x{}. Make it larger, or quit with q.",
+        "bevelscope needs {MIN_WIDTH}x{MIN_HEIGHT} characters, this terminal has {}x{} (q quits)",
         area.width, area.height
     );
     let lines = crate::tui::text::wrap(&text, usize::from(area.width));

@@ -9,7 +9,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
+use ratatui::style::{Modifier, Style};
 
 /// What a curve is drawn with. A cell has one colour only: the pen that came last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,7 +78,8 @@ impl Canvas {
             if let Some(cell) = buffer.cell_mut((x, y)) {
                 let shown =
                     if self.ascii { pen.letter } else { char::from_u32(0x2800 + u32::from(*dots)).unwrap_or(' ') };
-                cell.set_char(shown).set_style(pen.style);
+                // the band behind a curve may be dimmed, the curve is not
+                cell.set_char(shown).set_style(Style { sub_modifier: Modifier::DIM, ..pen.style });
             }
         }
     }

@@ -36,7 +36,7 @@ pub fn render(picture: &Picture, theme: &Theme, area: Rect, buffer: &mut Buffer)
     let ascii = theme.glyphs.ascii;
     let (across, down) = Canvas::dots_per_cell(ascii);
     let Some(columns) = picture.columns(usize::from(plot.width), across).filter(|_| !plot.is_empty()) else { return };
-    let largest = picture.traces.largest_difference();
+    let largest = picture.traces.largest_difference;
     let limit = LIMITS.into_iter().find(|limit| *limit >= largest).unwrap_or(LARGEST);
 
     let mut canvas = Canvas::new(plot.width, plot.height, ascii);

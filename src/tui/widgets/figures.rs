@@ -20,7 +20,7 @@ pub const HEIGHT: u16 = 2;
 pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let Some(Outcome::Solved { summary, .. }) = &app.detail.outcome else {
         if app.library.selected().is_some() && area.height > 0 {
-            let text = if app.has_text() { "" } else { " agreement: not known before the design is solved" };
+            let text = if app.has_text() { " agreement: none without a solution" } else { " agreement: not known yet" };
             buffer.set_stringn(area.x, area.y, text, usize::from(area.width), app.theme.faint);
         }
         return;

@@ -49,7 +49,7 @@ fn hints(app: &App, width: usize) -> Vec<(String, &'static str)> {
         let Some(hint) = about.hint.filter(|_| applies(app, about.action)) else { continue };
         let Some(key) = keymap::keys(app.mode, about.action, ascii).into_iter().next() else { continue };
         match wanted.iter_mut().find(|(_, _, text)| *text == hint.text) {
-            Some((_, keys, _)) if keys.chars().count() == 1 => keys.push_str(&key),
+            Some((_, keys, _)) if key.chars().all(|arrow| "↑↓←→".contains(arrow)) => keys.push_str(&key),
             Some((_, keys, _)) => *keys = format!("{keys}/{key}"),
             None => wanted.push((hint.priority, key, hint.text)),
         }
@@ -70,7 +70,7 @@ fn hints(app: &App, width: usize) -> Vec<(String, &'static str)> {
 /// Whether an action would do something now.
 fn applies(app: &App, action: Action) -> bool {
     match action {
-        Action::NextPane => app.has_text(),
+        Action::NextPane => app.has_text() && app.detail.text_scroll.last() > 0,
         Action::NextMatch | Action::PreviousMatch => !app.library.filter().is_empty() && app.mode == Mode::Library,
         Action::Filter | Action::MoveUp | Action::MoveDown if app.mode != Mode::Help => !app.library.is_empty(),
         Action::Back => app.mode != Mode::Library || !app.library.filter().is_empty(),

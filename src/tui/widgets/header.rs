@@ -23,13 +23,13 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let ellipsis = theme.glyphs.ellipsis;
     let width = usize::from(area.width);
     let name = app.library.selected().map_or(String::new(), super::super::library::Row::name);
-    let sizes = sizes(app);
+    let sizes = sizes(app, width);
     let left = width.saturating_sub(PROGRAM.width() + 1);
     let folder = printable(&app.shown_as);
     // a name this long is still told from others
     let name_wanted = name.width().min(24);
-    let folder_room = left.saturating_sub(name_wanted + sizes.width() + 4);
-    let folder = if folder_room >= folder.width().min(8) {
+    let folder_room = left.saturating_sub(name_wanted + sizes.width() + 5);
+    let folder = if folder_room >= folder.width().min(12) {
         cut_start(&folder, folder_room.min(30), ellipsis)
     } else {
         String::new()
@@ -46,15 +46,14 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     buffer.set_stringn(area.x + right_x as u16, area.y, right, width - right_x, theme.faint);
 }
 
-fn sizes(app: &App) -> String {
+fn sizes(app: &App, width: usize) -> String {
     let dot = app.theme.glyphs.separator;
     match &app.detail.outcome {
         Some(Outcome::Solved { summary, .. }) => {
             let time = if app.detail.pending { "rereading".into() } else { duration(summary.elapsed) };
-            format!(
-                "FE {} {dot} lumped {} coordinates {dot} {time}",
-                summary.fe_coordinates, summary.lumped_coordinates
-            )
+            let (fe, lumped) = (summary.fe_coordinates, summary.lumped_coordinates);
+            let unit = if width >= 80 { " coordinates" } else { "" };
+            format!("FE {fe} {dot} lumped {lumped}{unit} {dot} {time}")
         }
         _ => String::new(),
     }

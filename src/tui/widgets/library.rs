@@ -36,7 +36,7 @@ pub fn title(app: &App) -> Title<'static> {
         return Title::left(format!("Designs {place} of {}", library.len()));
     }
     let filter = printable(library.filter());
-    let found = format!("{place} of {} matches", library.matches());
+    let found = if place == 0 { "no match".into() } else { format!("{place} of {} matches", library.matches()) };
     Title { left: vec![format!("Designs /{filter}  {found}"), format!("/{filter}  {found}"), found], right: Vec::new() }
 }
 

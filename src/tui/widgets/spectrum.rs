@@ -68,7 +68,7 @@ pub fn render(picture: &Picture, trust_limit: f64, theme: &Theme, area: Rect, bu
     let (dashed, dotted) = if theme.glyphs.ascii {
         (Dash { on: 2, off: 2 }, Dash { on: 1, off: 2 })
     } else {
-        (Dash { on: 5, off: 3 }, Dash { on: 1, off: 2 })
+        (Dash { on: 6, off: 4 }, Dash { on: 1, off: 2 })
     };
     draw_curve(&mut canvas, &columns.basic, range, dotted, Pen { style: theme.basic, letter: basic });
     draw_curve(&mut canvas, &columns.fe, range, Dash { on: 1, off: 0 }, Pen { style: theme.fe, letter: fe });

@@ -1,0 +1,173 @@
+//! No size panics, and nothing that a file says can act on the terminal.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
+mod tui_support;
+
+use std::path::Path;
+
+use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::design::Design;
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
+use num_complex::Complex64;
+use tui_support::{ASCII, MadeUp, Screen, UNICODE, design};
+
+/// The states that are drawn at every size.
+fn screens() -> Vec<Screen> {
+    let mut screens: Vec<Screen> = ["", "jjj<Tab>", "?", "/e", "G"]
+        .into_iter()
+        .map(|keys| {
+            let mut screen = Screen::new(80, 24, UNICODE);
+            screen.keys(keys);
+            screen
+        })
+        .collect();
+    screens.push(Screen::new(80, 24, ASCII));
+    screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
+    screens
+}
+
+#[test]
+fn no_size_panics() {
+    let mut sizes: Vec<(u16, u16)> = Vec::new();
+    for height in [1, 24, 200] {
+        sizes.extend((1..=200).map(|width| (width, height)));
+    }
+    for width in [1, 80, 200] {
+        sizes.extend((1..=200).map(|height| (width, height)));
+    }
+    let mut state = 2012_u32;
+    let mut random = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 16) as u16
+    };
+    sizes.extend((0..1000).map(|_| (random() % 220 + 1, random() % 90 + 1)));
+    for screen in &mut screens() {
+        for &(width, height) in &sizes {
+            screen.resize(width, height);
+            let lines: Vec<_> = screen.text().lines().map(str::to_owned).collect();
+            assert_eq!(lines.len(), usize::from(height));
+            if width >= 60 && height >= 18 {
+                assert!(lines[0].starts_with(" bevelscope"), "{width}x{height}");
+                assert!(!lines[usize::from(height) - 1].is_empty(), "{width}x{height}");
+            } else if width >= 20 && height >= 6 {
+                assert!(lines.concat().contains("60x18"), "{width}x{height}");
+            }
+        }
+    }
+}
+
+/// Everything that a file can say, with escape sequences in it.
+struct Hostile;
+
+const ESCAPES: &str = "a\x1b[31m\x1b]0;b\x07\u{9b}2J\u{202e}c\rd\u{200b}";
+
+impl Backend for Hostile {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        if path.to_string_lossy().contains("broken") {
+            return Err(BrokenDesign { one_line: ESCAPES.into(), full_text: format!("{ESCAPES}\n\t{ESCAPES}") });
+        }
+        let mut design = design("overhung-elastic");
+        design.name = if path.to_string_lossy().contains("unsolvable") { "unsolvable".into() } else { ESCAPES.into() };
+        Ok(LoadedDesign { design, warnings: vec![ESCAPES.into()] })
+    }
+
+    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+        if design.name == "unsolvable" { Err(SolveError { message: ESCAPES.into() }) } else { MadeUp.compare(design) }
+    }
+}
+
+#[test]
+fn escape_sequences_never_reach_the_screen() {
+    let stems = ["fine", "broken", "unsolvable", "stem\x1b[31m\u{202e}"];
+    for capabilities in [UNICODE, ASCII] {
+        let mut screen = Screen::with(&stems, 120, 40, capabilities, Hostile);
+        screen.app.shown_as = ESCAPES.into();
+        screen.app.notice = Some(ESCAPES.into());
+        for keys in ["", "j", "<Tab>", "<Tab>j", "j", "/\x1b\u{7}"] {
+            screen.keys(keys);
+            for cell in screen.buffer().content() {
+                let harmful = |letter: char| {
+                    letter.is_control() || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+                };
+                assert!(!cell.symbol().contains(harmful), "{:?}", cell.symbol());
+            }
+        }
+        screen.keys("<Esc>g");
+        assert!(screen.text().contains("\\x1b[31m"), "{}", screen.text());
+    }
+}
+
+#[test]
+fn ascii_means_no_byte_beyond_127() {
+    let stems = ["傘歯車", "Überhang", "typo-é", "fine"];
+    let mut screen = Screen::with(&stems, 80, 24, ASCII, MadeUp);
+    screen.app.shown_as = "~/Entwürfe".into();
+    for keys in ["", "j", "j", "<Tab>", "?", "<Esc><Esc>/ü"] {
+        let text = screen.keys(keys).text();
+        assert!(text.is_ascii(), "{text}");
+    }
+    for (width, height) in [(60, 18), (59, 18), (200, 60)] {
+        screen.resize(width, height);
+        assert!(screen.text().is_ascii());
+    }
+}
+
+/// Solutions that are no numbers, or none at all.
+struct Strange;
+
+impl Backend for Strange {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        let mut design = design("overhung-elastic");
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        design.name = stem.to_string();
+        match &*stem {
+            "point" => {
+                design.pinion.segments.clear();
+                design.pinion.bodies.clear();
+                design.gear.bodies[0].mass = 0.0;
+            }
+            "huge" => design.gear.bodies[0].polar_inertia = 1e300,
+            "beside" => design.pinion.bearings[0].position = -7.0,
+            _ => {}
+        }
+        Ok(design.into())
+    }
+
+    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+        let mut comparison = MadeUp.compare(design)?;
+        let force = &mut comparison.enhanced.mesh_force;
+        match design.name.as_str() {
+            "nan" => force.fill(Complex64::new(f64::NAN, 0.0)),
+            "zero" => force.fill(Complex64::new(0.0, 0.0)),
+            "infinite" => force[500] = Complex64::new(f64::INFINITY, 0.0),
+            "two-lines" => {
+                comparison.frequency_hz = vec![10.0, 5000.0];
+                for spectrum in [&mut comparison.fe, &mut comparison.enhanced, &mut comparison.basic] {
+                    spectrum.mesh_force.truncate(2);
+                }
+            }
+            "empty" => comparison.frequency_hz.clear(),
+            "nowhere" => comparison.enhanced_agreement.agreement_limit_hz = 0.0,
+            "no-figures" => {
+                comparison.enhanced_agreement.rms_db = f64::NAN;
+                comparison.enhanced_agreement.max_at_hz = f64::INFINITY;
+                comparison.enhanced_agreement.agreement_limit_hz = f64::NAN;
+            }
+            _ => {}
+        }
+        Ok(comparison)
+    }
+}
+
+#[test]
+fn strange_designs_and_solutions_are_drawn() {
+    let stems = ["nan", "zero", "infinite", "two-lines", "empty", "nowhere", "no-figures", "point", "huge", "beside"];
+    for capabilities in [UNICODE, ASCII] {
+        let mut screen = Screen::with(&stems, 80, 24, capabilities, Strange);
+        for stem in stems {
+            assert_eq!(screen.selected(), stem);
+            assert!(screen.text().contains(stem), "{}", screen.text());
+            screen.keys("j");
+        }
+    }
+}
