@@ -106,6 +106,20 @@ fn a_file_full_of_errors_is_answered_quickly_and_shortly() {
 }
 
 #[test]
+fn no_number_of_warnings_hides_an_error() {
+    // each body has more polar inertia than a rigid body can have; the material of the gear's shaft is nowhere
+    let body = "[[pinion.body]]\nposition_mm = 18\nmass_kg = 1\ndiametral_inertia_kg_m2 = 1\npolar_inertia_kg_m2 = 3\n";
+    let text = format!("{}{}", SHIPPED[0].text, body.repeat(300));
+    let reading = read(&text);
+    assert!(reading.design.is_some() && reading.errors().count() == 0);
+    assert_eq!(reading.warnings().count(), 201);
+    let (before, after) = text.split_once("[[gear.segment]]").unwrap();
+    let reading = read(&format!("{before}[[gear.segment]]\nmaterial = \"nowhere\"{after}"));
+    assert!(reading.design.is_none());
+    assert!(reading.errors().any(|error| error.key_path == "gear.segment[0].material"));
+}
+
+#[test]
 fn deep_nesting_is_an_error() {
     for text in ["[".repeat(100_000), format!("a = {}", "[".repeat(100_000)), format!("a = {}", "{a=".repeat(100_000))]
     {

@@ -1,6 +1,6 @@
 //! What is wrong, or worth a second look, in a design file.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
 /// How bad a finding is.
@@ -42,22 +42,24 @@ pub struct Finding {
 #[derive(Debug, Default)]
 pub(super) struct Collector {
     kept: RefCell<Vec<Finding>>,
-    dropped: RefCell<usize>,
+    has_error: Cell<bool>,
+    dropped: Cell<usize>,
 }
 
 impl Collector {
     pub const LIMIT: usize = 200;
 
     pub fn push(&self, mut finding: Finding) {
+        // the first error is always kept: it decides whether there is a design
+        let first_error = is_error(&finding) && !self.has_error.get();
+        if self.kept.borrow().len() >= Self::LIMIT && !first_error {
+            return self.dropped.set(self.dropped.get() + 1);
+        }
         // names may be as long as the file
         let texts = [Some(&mut finding.key_path), Some(&mut finding.message), finding.hint.as_mut()];
         texts.into_iter().flatten().for_each(clip);
-        let mut kept = self.kept.borrow_mut();
-        if kept.len() < Self::LIMIT || (finding.severity == Severity::Error && !kept.iter().any(is_error)) {
-            kept.push(finding);
-        } else {
-            *self.dropped.borrow_mut() += 1;
-        }
+        self.has_error.set(self.has_error.get() || first_error);
+        self.kept.borrow_mut().push(finding);
     }
 
     pub fn error(
@@ -67,20 +69,24 @@ impl Collector {
         message: impl Into<String>,
         hint: Option<String>,
     ) {
+        if self.is_full() {
+            // before any more text is made
+            return self.dropped.set(self.dropped.get() + 1);
+        }
         let (key_path, message) = (key_path.to_string(), message.into());
         self.push(Finding { severity: Severity::Error, key_path, span: Some(span), message, hint });
     }
 
-    /// True once nothing more is kept: callers may skip costly work on hints.
+    /// True once there is an error and nothing more is kept: callers may stop looking.
     pub fn is_full(&self) -> bool {
-        self.kept.borrow().len() >= Self::LIMIT
+        self.has_error.get() && self.kept.borrow().len() >= Self::LIMIT
     }
 
     /// The findings in the order of the text.
     pub fn finish(self) -> Vec<Finding> {
         let mut findings = self.kept.into_inner();
         findings.sort_by_key(|finding| finding.span.as_ref().map_or(usize::MAX, |span| span.start));
-        let dropped = self.dropped.into_inner();
+        let dropped = self.dropped.get();
         if dropped > 0 {
             let severity = if findings.iter().any(is_error) { Severity::Error } else { Severity::Warning };
             let message = format!("{dropped} more findings are not shown");

@@ -77,10 +77,8 @@ fn check_inertias(rotor: &RotorDesign, path: &KeyPath, checker: &Checker<'_>) {
 
 fn check_positions(rotor: &RotorDesign, path: &KeyPath, checker: &Checker<'_>) {
     let length = rotor.length();
-    if length.is_infinite() {
-        checker.error(&path.key("segment"), "the length of the shaft, the sum of length_mm, overflows", None);
-    }
-    // without a segment, or with one that could not be read, there is no length to compare with
+    // without a segment, or with one that could not be read, there is no length to compare with; lengths only add up to
+    // infinity with more segments than a shaft may have stations
     if !(length > 0.0 && length.is_finite()) {
         return;
     }

@@ -90,7 +90,10 @@ impl<'r> TableReader<'r> {
             Kind::Unsupported { replaces } => replaces.contains(&field.key) && self.table.contains_key(other.key),
             _ => false,
         };
-        if self.silent || self.schemas.iter().flat_map(|schema| schema.fields).any(stood_in_for) {
+        if self.silent
+            || self.findings.is_full()
+            || self.schemas.iter().flat_map(|schema| schema.fields).any(stood_in_for)
+        {
             return;
         }
         let path = self.path_of(field);
