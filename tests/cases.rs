@@ -156,7 +156,12 @@ fn agreement_figures_agree() {
         for model in ["enhanced", "basic"] {
             let (found, expected) = (&found[0][model], &expected["check"][model]);
             for figure in ["rms_db", "max_db", "max_at_hz", "frac", "agreement_limit_hz"] {
-                close(number(&found[figure]), number(&expected[figure]), TOLERANCE, &format!("{case} {model} {figure}"));
+                close(
+                    number(&found[figure]),
+                    number(&expected[figure]),
+                    TOLERANCE,
+                    &format!("{case} {model} {figure}"),
+                );
             }
         }
     }
@@ -169,8 +174,7 @@ fn below_the_bending_modes_the_enhanced_model_agrees_and_the_basic_one_does_not(
     for case in ["overhung-rigid", "overhung-elastic", "straddle-elastic"] {
         let file = fixture(&format!("{case}.toml"));
         let mut out = Vec::new();
-        let cli =
-            Cli::try_parse_from(["bevelscope", "check", &file, "--band", "10:1500", "--format", "json"]).unwrap();
+        let cli = Cli::try_parse_from(["bevelscope", "check", &file, "--band", "10:1500", "--format", "json"]).unwrap();
         cli.run(&mut out, std::io::sink()).unwrap();
         let found: Value = serde_json::from_slice(&out).unwrap();
         let (enhanced, basic) = (number(&found[0]["enhanced"]["rms_db"]), number(&found[0]["basic"]["rms_db"]));

@@ -171,6 +171,12 @@ fn check_goes_on_after_a_broken_design() {
     let table = bevelscope(&["check", folder.path().to_str().unwrap()]);
     assert_eq!(table.status.code(), Some(2));
     assert!(stdout(&table).contains("broken") && stdout(&table).contains("whole"), "{}", stdout(&table));
+    // a file that is not there, or a band without lines, is a row with its reason as well
+    let missing = bevelscope(&["check", "no-such.toml", &elastic(), "--band", "5000:6000"]);
+    assert_eq!(missing.status.code(), Some(2));
+    for words in ["there is no such file", "no frequency line lies in the band 5000 to 6000 Hz"] {
+        assert!(stdout(&missing).contains(words), "{}", stdout(&missing));
+    }
     // limits do not turn bad input into a mere 1
     let limited = bevelscope(&["check", folder.path().to_str().unwrap(), "--max-rms-db", "0"]);
     assert_eq!(limited.status.code(), Some(2));
@@ -201,7 +207,7 @@ fn values_that_overflow_name_their_result() {
     for (from, to, words) in [
         ("stiffness_n_per_m = 6.4e8", "stiffness_n_per_m = 1e308", vec!["mesh force"]),
         ("mass_kg = 3.67", "mass_kg = 1e308", vec!["gear shaft"]),
-        ("kx_n_per_m = 6.000e+08", "kx_n_per_m = 1e308", vec!["pinion shaft"]),
+        ("kx_n_per_m = 6.0e8", "kx_n_per_m = 1e308", vec!["pinion shaft"]),
         ("inertia_kg_m2 = 0.3", "inertia_kg_m2 = 1e308", vec!["gear shaft"]),
     ] {
         assert!(text.contains(from), "{from}");
@@ -225,7 +231,7 @@ fn values_that_overflow_name_their_result() {
 
 #[test]
 fn an_unsupported_shaft_is_named_with_its_motion() {
-    let text = elastic_text().replace("ky_n_per_m = 2.200e+08", "ky_n_per_m = 0");
+    let text = elastic_text().replace("ky_n_per_m = 2.2e8", "ky_n_per_m = 0");
     let (_folder, file) = folder_with("loose.toml", text);
     refused(&["solve", &file], &["gear shaft: nothing holds it in the axial direction"]);
     let check = bevelscope(&["check", &file]);
@@ -267,13 +273,11 @@ fn escape_sequences_in_names_are_shown_harmlessly() {
 fn a_folder_without_designs_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     refused(&["check", folder.path().to_str().unwrap()], &["no design"]);
-    refused(&["check", folder.path().join("missing").to_str().unwrap()], &[]);
 }
 
 #[test]
 fn bad_usage_exits_with_two() {
     refused(&["check", &elastic(), "--band", "1000:100"], &["--band", "lower first"]);
-    refused(&["check", &elastic(), "--band", "5000:6000"], &[]);
     refused(&["check", &elastic(), "--max-rms-db", "much"], &["--max-rms-db"]);
     refused(&["check"], &["PATHS"]);
     refused(&["solve", &elastic(), "--model", "fe,reduced"], &["reduced", "enhanced"]);

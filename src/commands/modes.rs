@@ -135,7 +135,7 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[&Solved]) -> io
         if model.kind != ModelKind::Fe {
             heads.extend(["FE\nmode", "FE\nHz", "shift\n%", "MAC"]);
         }
-        let mut table = Table::with_heads(heads.into_iter().map(str::to_owned).collect());
+        let mut table = Table::with_heads(heads.into_iter().map(str::to_owned).collect()).tight();
         for (i, (mode, partner)) in model.modes.iter().enumerate() {
             let mut cells = vec![format!("{i}"), significant(mode.frequency_hz, 6)];
             for share in [mode.pinion, mode.gear] {
@@ -154,8 +154,13 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[&Solved]) -> io
 fn partner_cells(mode: &Mode, partner: Option<Partner>) -> [String; 4] {
     let Some(partner) = partner else { return ["-"; 4].map(str::to_owned) };
     let shift = 100.0 * (mode.frequency_hz / partner.fe_hz - 1.0);
-    // the rigid rotation has no frequency to be off from
-    let shift = if shift.is_finite() { format!("{shift:+.2}") } else { "-".into() };
+    let shift = match shift.abs() {
+        // the rigid rotation has no frequency to be off from
+        size if !size.is_finite() => "-".into(),
+        0.0..0.005 => "0.00".into(),
+        0.005..100.0 => format!("{shift:+.2}"),
+        _ => format!("{shift:+.0}"),
+    };
     [format!("{}", partner.fe_mode), significant(partner.fe_hz, 6), shift, format!("{:.2}", partner.mac)]
 }
 
