@@ -7,9 +7,10 @@ use std::path::Path;
 
 use bevelscope::comparison::{Comparison, SolveError};
 use bevelscope::design::Design;
+use bevelscope::rotor::RotorError;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
-use tui_support::{ASCII, MadeUp, Screen, UNICODE, design};
+use tui_support::{ASCII, MadeUp, Screen, UNICODE, design, not_solved};
 
 /// The states that are drawn at every size.
 fn screens() -> Vec<Screen> {
@@ -72,7 +73,11 @@ impl Backend for Hostile {
     }
 
     fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
-        if design.name == "unsolvable" { Err(SolveError { message: ESCAPES.into() }) } else { MadeUp.compare(design) }
+        if design.name == "unsolvable" {
+            Err(not_solved(RotorError::UnknownMaterial(ESCAPES.into())))
+        } else {
+            MadeUp.compare(design)
+        }
     }
 }
 
@@ -93,7 +98,7 @@ fn escape_sequences_never_reach_the_screen() {
             }
         }
         screen.keys("<Esc>g");
-        assert!(screen.text().contains("\\x1b[31m"), "{}", screen.text());
+        assert!(screen.text().contains("\\u{1b}[31m"), "{}", screen.text());
     }
 }
 

@@ -127,7 +127,7 @@ impl<'a> Output<'a> {
 
 fn write_tables(out: &mut impl Write, design: &Design, models: &[&Solved]) -> io::Result<()> {
     writeln!(out, "{}", printable(&design.name))?;
-    writeln!(out, "Kinetic energy in %: lateral x, z; axial y; tilt thx, thz; torsion thy and drive.")?;
+    writeln!(out, "kinetic energy in %: lateral x, z; axial y; tilt thx, thz; torsion thy, drive")?;
     for model in models {
         writeln!(out, "\n{}", model.kind.title())?;
         let mut heads = vec!["mode", "Hz"];

@@ -1,8 +1,8 @@
 //! Aligned tables.
 
-use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+use unicode_width::UnicodeWidthStr;
 
-use crate::text::printable;
+use crate::text::{cut, printable};
 
 /// A table whose columns are as wide as their content: the first column to the left, numbers to the right.
 #[derive(Debug, Clone, Default)]
@@ -43,7 +43,7 @@ impl Table {
     pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         let mut cells: Vec<String> = cells.into_iter().map(|cell| printable(&cell).into_owned()).collect();
         if let Some(name) = cells.first_mut() {
-            *name = cut(name, self.widest_name);
+            *name = cut(name, self.widest_name, "..");
         }
         self.rows.push(cells);
     }
@@ -94,22 +94,4 @@ impl std::fmt::Display for Table {
         }
         Ok(())
     }
-}
-
-/// The text cut to at most `columns` columns of the terminal, with `..` where something was left out.
-fn cut(text: &str, columns: usize) -> String {
-    if text.width() <= columns {
-        return text.to_owned();
-    }
-    let mut out = String::new();
-    let mut used = 0;
-    for c in text.chars() {
-        used += c.width().unwrap_or(0);
-        if used + 2 > columns {
-            break;
-        }
-        out.push(c);
-    }
-    out.push_str(&".."[..columns.min(2)]);
-    out
 }

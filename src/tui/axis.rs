@@ -1,6 +1,6 @@
 //! Axes: where a value lies, and where the round numbers are.
 
-use super::text::thousands;
+use crate::report::grouped;
 
 /// The frequency axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,7 +84,7 @@ pub fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
 }
 
 fn label(value: f64) -> String {
-    if value >= 10.0 || (value - value.round()).abs() < 1e-9 { thousands(value) } else { format!("{value}") }
+    if value >= 10.0 || (value - value.round()).abs() < 1e-9 { grouped(value) } else { format!("{value}") }
 }
 
 #[cfg(test)]

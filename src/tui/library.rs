@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::backend::{BrokenDesign, LoadedDesign};
-use super::text::printable;
 use super::worker::{Summary, Ticket};
+use crate::text::printable;
 
 /// One design file.
 #[derive(Debug, Clone)]

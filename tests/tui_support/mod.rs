@@ -8,10 +8,13 @@ use std::time::Duration;
 
 use bevelscope::agreement::Agreement;
 use bevelscope::comparison::{Comparison, SolveError, Spectrum};
+use bevelscope::design::Side;
 use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
     Hold, Mesh, MeshVectors, RotorDesign, Segment,
 };
+use bevelscope::model::RotorsError;
+use bevelscope::rotor::{Motion, RotorError};
 use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::message::{Effect, Message};
@@ -49,11 +52,15 @@ impl Backend for MadeUp {
 
     fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
         if design.name.starts_with("unsolvable") {
-            let message = "gear: the shaft is not held against turning about its x axis";
-            return Err(SolveError { message: message.into() });
+            return Err(not_solved(RotorError::Unsupported(vec![Motion::ThX])));
         }
         Ok(comparison(design))
     }
+}
+
+/// Why the gear shaft of a design cannot be solved.
+pub fn not_solved(error: RotorError) -> SolveError {
+    SolveError::Rotors(RotorsError { side: Side::Gear, error })
 }
 
 /// The paths of a made-up library.

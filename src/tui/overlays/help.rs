@@ -13,10 +13,10 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
+use crate::text::cut;
 use crate::tui::action::{ACTIONS, Category};
 use crate::tui::app::App;
 use crate::tui::keymap::{self, Mode};
-use crate::tui::text::cut;
 use crate::tui::theme::Theme;
 use crate::tui::traces::TOLERANCE_DB;
 use crate::tui::widgets::panel::{self, Title};

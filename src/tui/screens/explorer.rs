@@ -15,11 +15,11 @@ use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use crate::text::printable;
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
 use crate::tui::library::RowState;
 use crate::tui::overlays;
-use crate::tui::text::printable;
 use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::{difference_strip, figures, footer, header, library, plot, side_view, spectrum, text_pane};
@@ -150,7 +150,7 @@ fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
         "bevelscope needs {MIN_WIDTH}x{MIN_HEIGHT} characters, this terminal has {}x{} (q quits)",
         area.width, area.height
     );
-    let lines = crate::tui::text::wrap(&text, usize::from(area.width));
+    let lines = crate::text::wrap(&text, usize::from(area.width));
     for (line, y) in lines.iter().zip(area.top()..area.bottom()) {
         buffer.set_stringn(area.x, y, line, usize::from(area.width), app.theme.fe);
     }

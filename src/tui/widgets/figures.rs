@@ -10,8 +10,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::agreement::Agreement;
+use crate::report::grouped;
 use crate::tui::app::{App, Outcome};
-use crate::tui::text::thousands;
 
 /// Rows that the figures take.
 pub const HEIGHT: u16 = 2;
@@ -37,7 +37,7 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             Span::styled(format!("{limit:>wide$}"), app.theme.title),
             Span::raw(format!(", {:>5.2} dB RMS, FRAC {:.2}", agreement.rms_db, agreement.frac)),
         ];
-        let worst = format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), thousands(agreement.max_at_hz));
+        let worst = format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz));
         let line = Line::from(spans.clone());
         if line.width() + worst.len() < usize::from(area.width) {
             spans.push(Span::styled(worst, app.theme.faint));
@@ -48,7 +48,7 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 fn limit(agreement: &Agreement) -> String {
     if agreement.agreement_limit_hz > 0.0 {
-        format!("trust up to {} Hz", thousands(agreement.agreement_limit_hz))
+        format!("trust up to {} Hz", grouped(agreement.agreement_limit_hz))
     } else {
         "trust nowhere".into()
     }

@@ -9,10 +9,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use unicode_width::UnicodeWidthStr;
 
+use crate::text::{cut, cut_start, printable};
 use crate::tui::action::{ACTIONS, Action};
 use crate::tui::app::App;
 use crate::tui::keymap::{self, Mode};
-use crate::tui::text::{cut, cut_start, printable};
 
 /// Draws the line and returns where the cursor stands, if something is typed.
 pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {

@@ -8,8 +8,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
+use crate::text::{cut, cut_start, printable};
 use crate::tui::app::{App, Outcome};
-use crate::tui::text::{cut, cut_start, duration, printable};
+use crate::tui::text::duration;
 
 const PROGRAM: &str = " bevelscope  ";
 

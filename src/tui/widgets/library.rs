@@ -16,10 +16,11 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::panel::Title;
+use crate::report::grouped;
+use crate::text::{cut, printable};
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
 use crate::tui::library::{Row, RowState};
-use crate::tui::text::{cut, printable, thousands};
 use crate::tui::theme::Theme;
 
 const COORDINATES: usize = 5;
@@ -95,7 +96,7 @@ impl Widths {
             RowState::Pending | RowState::Loaded => self.line(&row.stem, ellipsis, ellipsis, theme),
             RowState::Solved(summary) => {
                 let limit = match summary.enhanced.agreement_limit_hz {
-                    limit if limit > 0.0 => thousands(limit),
+                    limit if limit > 0.0 => grouped(limit),
                     _ => "nowhere".into(),
                 };
                 let warned = row.loaded.as_ref().is_some_and(|loaded| !loaded.warnings.is_empty());

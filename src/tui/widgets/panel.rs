@@ -14,7 +14,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr;
 
-use crate::tui::text::cut;
+use crate::text::cut;
 use crate::tui::theme::Theme;
 
 /// What stands in a line of the frame: the longest text on the left that fits beside what is on the right.

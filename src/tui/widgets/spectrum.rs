@@ -20,9 +20,9 @@ use ratatui::text::Span;
 use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
 use super::plot::{AXIS_ROWS, Dash, GUTTER, Range, curve_width, draw_curve};
+use crate::report::grouped;
 use crate::tui::app::Picture;
 use crate::tui::axis::multiples;
-use crate::tui::text::thousands;
 use crate::tui::theme::Theme;
 use crate::tui::traces::{Columns, TOLERANCE_DB};
 
@@ -87,7 +87,7 @@ fn draw_levels(range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
     let (_, dots) = Canvas::dots_per_cell(theme.glyphs.ascii);
     for level in multiples(range.low, range.high, step) {
         let row = range.row(level, usize::from(plot.height) * dots) as u16 / dots as u16;
-        let label = thousands(level);
+        let label = grouped(level);
         let x = axis.saturating_sub(label.len() as u16);
         buffer.set_stringn(x, plot.y + row, label, usize::from(GUTTER - 1), theme.faint);
         put(buffer, axis, plot.y + row, theme.glyphs.tick_left, theme.border);

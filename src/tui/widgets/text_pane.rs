@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::panel::{self, Title};
+use crate::text::wrap;
 use crate::tui::app::Scroll;
-use crate::tui::text::wrap;
 use crate::tui::theme::Theme;
 
 /// Draws a frame with a text that scrolls. The frame's last line says where one is, and how to get on.
