@@ -1,4 +1,56 @@
-//! bevelscope
+//! Spiral bevel geared rotor designs: a dynamic finite element model and two lumped models side by side.
+//!
+//! The formulation is that of J. Hua, T. C. Lim, T. Peng and Y. E. Wali (2012), "Dynamic analysis of spiral bevel geared rotor
+//! systems applying finite elements and enhanced lumped parameters", International Journal of Automotive Technology 13, with
+//! its slips corrected. The program is a terminal explorer and a set of commands over this library.
+//!
+//! # One way through
+//!
+//! ```text
+//! design file ─> Design ─> Rotor ─> Model ─> Spectrum, Modes ─> Agreement ─> screen | table | file
+//! ```
+//!
+//! A changed bearing enters on the left and comes out on the right as a moved peak. Nothing on the right knows how it is shown,
+//! nothing on the left knows that there is a screen.
+//!
+//! | module | what it holds | where in the paper |
+//! | --- | --- | --- |
+//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library | |
+//! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
+//! | [`model`] | the finite element and the lumped models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
+//! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh | 2, 4 |
+//! | [`agreement`] | differences in dB, the agreement limit, peaks and modes paired | 4 |
+//! | [`comparison`] | all of that for a design, in one call | |
+//! | [`report`] | results as tables, CSV and JSON | |
+//! | [`commands`] | the command line, one file a subcommand | |
+//! | [`tui`] | the terminal explorer | |
+//! | [`units`], [`text`] | quantities at the edges; foreign text made harmless | |
+//!
+//! ```
+//! use bevelscope::{comparison::compare, design::{library::SHIPPED, read}};
+//!
+//! let design = read(SHIPPED[0].text).design.expect("a shipped design is valid");
+//! let comparison = compare(&design)?;
+//! let agreement = &comparison.enhanced_agreement;
+//! println!("trust the enhanced model up to {:.0} Hz", agreement.agreement_limit_hz);
+//! # assert_eq!(agreement.agreement_limit_hz.round(), 2997.0);
+//! # Ok::<(), bevelscope::comparison::SolveError>(())
+//! ```
+//!
+//! # Invariants
+//!
+//! Each is held by a test.
+//!
+//! - Nothing outside `src/tui` names ratatui or crossterm (`tests/invariants.rs`).
+//! - No file, terminal or thread in `rotor`, `model`, `response` and `agreement` (`tests/invariants.rs`).
+//! - Inside the program a number is SI, a frequency in Hz or rad/s as its name says; every number that leaves it has a unit in
+//!   its key or header (`tests/invariants.rs`, `tests/cli.rs`).
+//! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
+//! - A [`rotor::Rotor`] that exists can be solved; a [`design::Design`] that was read has passed every check that needs no
+//!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
+//! - No `unwrap` and no `panic!` outside tests (`tests/invariants.rs`, and the lints in `Cargo.toml`).
+//! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
+
 pub mod agreement;
 pub mod commands;
 pub mod comparison;

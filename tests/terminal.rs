@@ -96,11 +96,23 @@ struct Terminal {
 }
 
 impl Terminal {
+    /// This binary again, as one of the `child_` tests.
     fn start(test: &str, environment: &[(&str, &str)]) -> Self {
-        let size = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
-        let pair = native_pty_system().openpty(size).unwrap();
         let mut command = CommandBuilder::new(std::env::current_exe().unwrap());
         command.args(["--exact", test, "--ignored", "--nocapture", "--test-threads=1"]);
+        Self::run(command, environment)
+    }
+
+    /// The program itself.
+    fn program(arguments: &[&str], environment: &[(&str, &str)]) -> Self {
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_bevelscope"));
+        command.args(arguments);
+        Self::run(command, environment)
+    }
+
+    fn run(mut command: CommandBuilder, environment: &[(&str, &str)]) -> Self {
+        let size = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
+        let pair = native_pty_system().openpty(size).unwrap();
         command.env_clear();
         for (name, value) in [(CHILD, "1"), ("TERM", "xterm-256color"), ("LANG", "C.UTF-8")].iter().chain(environment) {
             command.env(name, value);
@@ -194,6 +206,47 @@ impl Terminal {
 }
 
 const FRAME: &str = "trust up to 2,997 Hz";
+
+/// The figures are those of the shipped designs, as `tests/cases.rs` has them.
+#[test]
+fn the_program_shows_the_shipped_designs() {
+    let mut terminal = Terminal::program(&[concat!(env!("CARGO_MANIFEST_DIR"), "/designs")], &[]);
+    terminal.wait_for_text("enhanced: trust up to 2,997 Hz,  3.72 dB RMS");
+    terminal.press("G");
+    terminal.wait_for_text("enhanced: trust up to 3,364 Hz,  2.79 dB RMS");
+    terminal.press("?");
+    terminal.wait_for_text("Quit");
+    terminal.press("\x1b");
+    terminal.wait_for("the help to close", |screen| screen.contents().contains("Side view"));
+    terminal.press("q");
+    assert!(terminal.wait(LONG).success());
+    terminal.assert_restored();
+}
+
+/// On first use the library is in the user's data folder, filled with the shipped designs.
+#[test]
+fn the_first_use_has_a_library() {
+    let home = tempfile::tempdir().unwrap();
+    let data = home.path().join("data").display().to_string();
+    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_bevelscope"));
+    command.cwd(home.path());
+    let mut terminal = Terminal::run(command, &[("XDG_DATA_HOME", &data), ("HOME", &data)]);
+    terminal.wait_for_text("straddle-elastic");
+    terminal.wait_for_text(FRAME);
+    terminal.press("q");
+    assert!(terminal.wait(LONG).success());
+    assert!(home.path().join("data/bevelscope/designs/overhung-rigid.toml").is_file());
+}
+
+#[test]
+fn a_folder_without_designs_explains_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut terminal = Terminal::program(&[folder.path().to_str().unwrap()], &[]);
+    terminal.wait_for_text(".toml");
+    terminal.press("q");
+    assert!(terminal.wait(LONG).success());
+    terminal.assert_restored();
+}
 
 #[test]
 fn quitting_restores_the_terminal() {

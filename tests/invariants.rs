@@ -1,0 +1,112 @@
+//! The invariants at the top of `src/lib.rs`, as far as they can be read off the sources and the output.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bevelscope::commands::Cli;
+use clap::Parser;
+use serde_json::Value;
+
+/// All sources below `src`, with their tests and comments cut off, by their path below `src`.
+fn sources() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut folders = vec![root.clone()];
+    let mut files: Vec<PathBuf> = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() { folders.push(path) } else { files.push(path) }
+        }
+    }
+    assert!(files.len() > 50, "the sources are there");
+    let code = |path: PathBuf| {
+        let text = fs::read_to_string(&path).unwrap();
+        let text = text.split("#[cfg(test)]").next().unwrap();
+        let code = |line: &&str| !line.trim_start().starts_with("//");
+        let name = path.strip_prefix(&root).unwrap().display().to_string();
+        (name, text.lines().filter(code).collect::<Vec<_>>().join("\n"))
+    };
+    files.into_iter().map(code).collect()
+}
+
+fn assert_absent(words: &[&str], concerned: impl Fn(&str) -> bool) {
+    let mut seen = 0;
+    for (name, code) in sources().iter().filter(|(name, _)| concerned(name)) {
+        seen += 1;
+        for word in words {
+            assert!(!code.contains(word), "src/{name} has `{word}`");
+        }
+    }
+    assert!(seen > 0);
+}
+
+#[test]
+fn only_the_explorer_knows_the_terminal_libraries() {
+    assert_absent(&["ratatui", "crossterm"], |name| !name.starts_with("tui/"));
+}
+
+#[test]
+fn the_mechanics_touch_no_file_and_no_terminal() {
+    let mechanics = ["rotor", "model", "response", "agreement"];
+    let concerned = |name: &str| mechanics.iter().any(|part| name.starts_with(&format!("{part}/")));
+    let words = ["std::fs", "std::io", "std::env", "std::process", "print!", "println!", "eprint", "std::thread"];
+    assert_absent(&words, concerned);
+}
+
+#[test]
+fn no_panic_is_written_outside_tests() {
+    let words = [".unwrap()", ".expect(", "panic!(", "unreachable!(", "todo!(", "unimplemented!("];
+    assert_absent(&words, |_| true);
+}
+
+/// Keys whose numbers have no unit, or several that the documentation gives.
+const WITHOUT_UNIT: [&str; 12] = [
+    "fe",
+    "lumped",
+    "coordinates",
+    "lateral",
+    "axial",
+    "tilt",
+    "torsion",
+    "frac",
+    "mac",
+    "fe_mode",
+    "energy_residual",
+    // 6x6, N/m, N and N m/rad
+    "stiffness",
+];
+const UNITS: [&str; 9] = ["_hz", "_n", "_m", "_mm", "_kg", "_kg_m2", "_db", "_percent", "_stiffness"];
+
+#[test]
+fn every_number_in_json_has_a_unit_in_its_key() {
+    let design = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/straddle-elastic.toml");
+    for command in ["solve", "modes", "inspect", "check"] {
+        let mut out = Vec::new();
+        let cli = Cli::try_parse_from(["bevelscope", command, design, "--format", "json"]).unwrap();
+        cli.run(&mut out, std::io::sink()).unwrap();
+        let mut numbers = 0;
+        look_at_keys(&serde_json::from_slice(&out).unwrap(), "", &mut numbers);
+        assert!(numbers > 20, "{command}: {numbers}");
+    }
+}
+
+fn look_at_keys(value: &Value, key: &str, numbers: &mut usize) {
+    match value {
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                // the two parts of a complex number have the unit of the whole
+                let key = if ["re", "im"].contains(&name.as_str()) { key } else { name };
+                look_at_keys(value, key, numbers);
+            }
+        }
+        Value::Array(values) => values.iter().for_each(|value| look_at_keys(value, key, numbers)),
+        Value::Number(_) => {
+            *numbers += 1;
+            let named = WITHOUT_UNIT.contains(&key) || UNITS.iter().any(|unit| key.ends_with(unit));
+            assert!(named, "`{key}` has a number and no unit");
+        }
+        _ => {}
+    }
+}
