@@ -1,6 +1,7 @@
 //! `bevelscope check`: how well the lumped models agree with the finite element model, a row a design.
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -163,7 +164,7 @@ fn checked(file: &Path, args: &Args) -> Row {
         Err(error) => return failed(error.to_string()),
     };
     let design = &loaded.design;
-    let compared = comparison::compare_over(design, args.band.map(|band| band.0));
+    let compared = comparison::compare_over(design, args.band.map(|band| band.0), &mut |_| ControlFlow::Continue(()));
     let compared = match compared {
         Ok(compared) => compared,
         Err(error) => return failed(error.to_string()),
