@@ -215,7 +215,7 @@ fn the_program_shows_the_shipped_designs() {
     terminal.press("G");
     terminal.wait_for_text("enhanced: trust up to 3,364 Hz,  2.79 dB RMS");
     terminal.press("?");
-    terminal.wait_for_text("Quit");
+    terminal.wait_for_text("Moving");
     terminal.press("\x1b");
     terminal.wait_for("the help to close", |screen| screen.contents().contains("Side view"));
     terminal.press("q");
