@@ -20,8 +20,8 @@ mod render;
 mod rotor;
 pub mod schema;
 mod side;
+mod station;
 
-pub use check::MAX_STATIONS;
 pub use document::{Document, EditError};
 pub use finding::{Finding, Severity};
 pub use key_path::{KeyPath, KeyPathError, Step};
@@ -31,3 +31,4 @@ pub use read::{Reading, read};
 pub use render::{Position, Source};
 pub use rotor::*;
 pub use side::Side;
+pub use station::{MAX_STATIONS, SAME_STATION};

@@ -42,14 +42,14 @@ impl Modes {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`].
+    /// As [`rotor_modes`], or a mode whose frequency or shape overflows.
     pub fn new(model: &Model, most: usize) -> Result<Self, ResponseError> {
         let mut uncoupled = Uncoupled::new(model)?;
         uncoupled.join_equal();
         uncoupled.drop_uncoupled(model.mesh_stiffness);
         let Uncoupled { lambda, g, shapes } = &uncoupled;
         let found = secular::eigenvalues(lambda, g, model.mesh_stiffness);
-        let mode = |eigenvalue: &Eigenvalue| {
+        let mode = |eigenvalue: &Eigenvalue| -> Result<Mode, ResponseError> {
             let shape = match *eigenvalue {
                 Eigenvalue::Kept(i) => shapes.column(i).into_owned(),
                 Eigenvalue::Moved { origin, offset } => {
@@ -67,9 +67,14 @@ impl Modes {
             let total: f64 = energy.iter().map(|(_, energy)| energy).sum();
             let shares = |part: &[(Motion, f64)]| share(part, total);
             let (pinion, gear) = energy.split_at(top);
-            Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() }
+            let mode = Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() };
+            if frequency_hz.is_finite() && total > 0.0 && mode.shape.iter().all(|entry| entry.is_finite()) {
+                Ok(mode)
+            } else {
+                Err(ResponseError::ModeNotFinite)
+            }
         };
-        Ok(Self(found.iter().take(most).map(mode).collect()))
+        Ok(Self(found.iter().take(most).map(mode).collect::<Result<_, _>>()?))
     }
 }
 

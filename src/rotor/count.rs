@@ -8,14 +8,14 @@ use super::transfer::Piece;
 /// Number of natural frequencies of the plane below `omega` (rad/s).
 ///
 /// Negative pivots of the exact dynamic stiffness, eliminated from left to right. Pieces are cut short enough to have no natural
-/// frequency of their own below `omega` when clamped, so that no further term enters the count.
-pub fn natural_frequencies_below(plane: &Plane, omega: f64) -> usize {
+/// frequency of their own below `omega` when clamped, so that no further term enters the count. `None` where numbers overflow.
+pub fn natural_frequencies_below(plane: &Plane, omega: f64) -> Option<usize> {
     let omega_squared = omega * omega;
     let mut count = 0;
     let mut pivot = node_stiffness(&plane.nodes[0], omega_squared);
     let mut held = plane.nodes[0].held;
     for (piece, node) in plane.pieces.iter().zip(&plane.nodes[1..]) {
-        let parts = piece.parts_without_own_modes(omega_squared);
+        let parts = piece.parts_without_own_modes(omega_squared)?;
         let stiffness = DynamicStiffness::new(piece, omega_squared, piece.length / parts as f64);
         for part in 1..=parts {
             let end = part == parts;
@@ -36,7 +36,8 @@ pub fn natural_frequencies_below(plane: &Plane, omega: f64) -> usize {
     }
     let mut cross = Matrix2::zeros();
     hold(&mut pivot, held, &mut cross, false, Matrix2::zeros());
-    count + negative_eigenvalues(&pivot)
+    let count = count + negative_eigenvalues(&pivot);
+    pivot.iter().all(|entry| entry.is_finite()).then_some(count)
 }
 
 /// Completes a node's pivot with the piece to its right, and takes held deflections out of it.

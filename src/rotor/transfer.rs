@@ -50,23 +50,20 @@ impl Piece {
 
     /// Into how many equal parts the piece must be cut so that none, clamped at both ends, has a natural frequency at or below w.
     ///
-    /// Dunkerley: 1/w1^2 <= 1/w_b^2 + 1/w_s^2 + 1/w_r^2, with bending, shear and rotary inertia each alone.
-    pub fn parts_without_own_modes(&self, omega_squared: f64) -> usize {
+    /// Dunkerley: 1/w1^2 <= 1/w_b^2 + 1/w_s^2 + 1/w_r^2, with bending, shear and rotary inertia each alone; of a part of length l that is
+    /// b l^4 + s l^2. `None` where the numbers overflow or the parts would be too many to be of use.
+    pub fn parts_without_own_modes(&self, omega_squared: f64) -> Option<usize> {
         const CLAMPED: f64 = 500.563_901_740; // 4.730040745^4
         const MARGIN: f64 = 1.1;
         const PI_SQUARED: f64 = std::f64::consts::PI * std::f64::consts::PI;
-        let bending = self.mass / (CLAMPED * self.bending_stiffness);
-        let shear = self.mass * self.shear_flexibility / PI_SQUARED;
-        let rotary = self.rotary_inertia / (PI_SQUARED * self.bending_stiffness);
-        let mut parts = 1.0;
-        loop {
-            let length_squared = (self.length / parts).powi(2);
-            let sum = bending * length_squared * length_squared + (shear + rotary) * length_squared;
-            if MARGIN * omega_squared * sum < 1.0 {
-                return parts as usize;
-            }
-            parts += 1.0;
-        }
+        const MOST_PARTS: f64 = 10_000.0;
+        let bending = MARGIN * omega_squared * self.mass / (CLAMPED * self.bending_stiffness);
+        let shear = self.mass * self.shear_flexibility + self.rotary_inertia / self.bending_stiffness;
+        let shear = MARGIN * omega_squared * shear / PI_SQUARED;
+        // b l^4 + s l^2 < 1 for l^2 below the positive root 2 / (s + sqrt(s^2 + 4 b))
+        let longest_squared = 2.0 / (shear + shear.hypot(2.0 * bending.sqrt()));
+        let parts = (self.length / longest_squared.sqrt()).floor() + 1.0;
+        (parts <= MOST_PARTS).then_some(parts as usize)
     }
 }
 

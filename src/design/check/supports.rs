@@ -1,11 +1,9 @@
 //! Combinations of bearings and axial springs that mean something.
 
 use super::Checker;
+use crate::design::SAME_STATION;
 use crate::design::key_path::KeyPath;
 use crate::design::rotor::{Bearing, BearingModel, RotorDesign};
-
-/// Positions closer than this are one station, m.
-const SAME_STATION: f64 = 1e-9;
 
 /// How a bearing carries the shaft along its axis.
 #[derive(PartialEq)]
