@@ -16,6 +16,7 @@ pub mod library;
 mod load;
 mod model;
 mod read;
+pub mod reference;
 mod render;
 mod rotor;
 pub mod schema;
