@@ -76,7 +76,8 @@ mod tests {
         let g = [0.3, -1.0, 0.0, 2.0, 1e-3, 0.7];
         let k = 3.0;
         let g_vector = DVector::from_row_slice(&g);
-        let dense = DMatrix::from_diagonal(&DVector::from_row_slice(&lambda)) + k * &g_vector * g_vector.transpose();
+        let spring: DMatrix<f64> = &g_vector * g_vector.transpose() * k;
+        let dense = DMatrix::from_diagonal(&DVector::from_row_slice(&lambda)) + spring;
         let mut expected: Vec<f64> = dense.symmetric_eigenvalues().iter().copied().collect();
         expected.sort_by(f64::total_cmp);
         let found = eigenvalues(&lambda, &g, k);
