@@ -50,23 +50,45 @@ impl Piece {
 
     /// Into how many equal parts the piece must be cut so that none, clamped at both ends, has a natural frequency at or below w.
     ///
-    /// Dunkerley: 1/w1^2 <= 1/w_b^2 + 1/w_s^2 + 1/w_r^2, with bending, shear and rotary inertia each alone.
+    /// Dunkerley: 1/w1^2 <= 1/w_b^2 + 1/w_s^2 + 1/w_r^2, with bending, shear and rotary inertia each alone. Three at most up to
+    /// [`Self::clamped_bound`].
     pub fn parts_without_own_modes(&self, omega_squared: f64) -> usize {
-        const CLAMPED: f64 = 500.563_901_740; // 4.730040745^4
         const MARGIN: f64 = 1.1;
-        const PI_SQUARED: f64 = std::f64::consts::PI * std::f64::consts::PI;
-        let bending = self.mass / (CLAMPED * self.bending_stiffness);
-        let shear = self.mass * self.shear_flexibility / PI_SQUARED;
-        let rotary = self.rotary_inertia / (PI_SQUARED * self.bending_stiffness);
-        let mut parts = 1.0;
-        loop {
-            let length_squared = (self.length / parts).powi(2);
+        // past that the numbers have overflowed
+        const MOST: f64 = 1000.0;
+        let [bending, shear, rotary] = self.clamped_alone();
+        let mut parts: f64 = 1.0;
+        while parts < MOST {
+            let length_squared = parts.powi(-2);
             let sum = bending * length_squared * length_squared + (shear + rotary) * length_squared;
             if MARGIN * omega_squared * sum < 1.0 {
-                return parts as usize;
+                break;
             }
             parts += 1.0;
         }
+        parts as usize
+    }
+
+    /// Square of a frequency that the first one of the piece, clamped at both ends, does not exceed.
+    ///
+    /// Rigid in bending or in shear, without mass or without rotary inertia it could only be higher. With all nodes clamped a shaft would have
+    /// the lowest frequency of its pieces, so that this bounds the shaft's first mode too.
+    pub fn clamped_bound(&self) -> f64 {
+        let [bending, shear, rotary] = self.clamped_alone();
+        // the first root with rotary inertia alone is 4 pi^2, not pi^2
+        1.0 / bending.max(shear).max(rotary / 4.0)
+    }
+
+    /// 1/w^2 of the piece clamped at both ends: with bending, with shear and (w from below) with rotary inertia alone.
+    fn clamped_alone(&self) -> [f64; 3] {
+        const CLAMPED: f64 = 500.563_901_740; // 4.730040745^4
+        const PI_SQUARED: f64 = std::f64::consts::PI * std::f64::consts::PI;
+        let length_squared = self.length * self.length;
+        [
+            self.mass * length_squared * length_squared / (CLAMPED * self.bending_stiffness),
+            self.mass * self.shear_flexibility * length_squared / PI_SQUARED,
+            self.rotary_inertia * length_squared / (PI_SQUARED * self.bending_stiffness),
+        ]
     }
 }
 
@@ -188,7 +210,9 @@ mod tests {
         assert_eq!(EULER.parts_without_own_modes((0.9 * CLAMPED).powi(4)), 1);
         assert_eq!(EULER.parts_without_own_modes(CLAMPED.powi(4)), 2);
         // clamped at both ends: the upper right block of the transfer matrix is singular first at the natural frequency
-        for piece in [EULER, TIMOSHENKO] {
+        let stubby = Piece { shear_flexibility: 0.3, rotary_inertia: 0.1, ..EULER };
+        let rotary = Piece { rotary_inertia: 0.4, ..EULER };
+        for piece in [EULER, TIMOSHENKO, stubby, rotary] {
             let own = |omega_squared: f64| {
                 let t = piece.transfer(omega_squared, 1.0);
                 t[(0, 2)] * t[(1, 3)] - t[(0, 3)] * t[(1, 2)]
@@ -199,6 +223,12 @@ mod tests {
                 assert!(own(omega_squared).signum() == sign, "{piece:?} has a mode below {omega_squared}");
                 omega_squared *= 1.01;
             }
+            // and below the bound from above it has one
+            while own(omega_squared).signum() == sign {
+                assert!(omega_squared < 1.01 * piece.clamped_bound(), "{piece:?} has no mode below {omega_squared}");
+                omega_squared *= 1.001;
+            }
+            assert!(piece.parts_without_own_modes(piece.clamped_bound()) <= 3);
         }
     }
 }
