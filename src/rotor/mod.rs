@@ -47,7 +47,7 @@ pub enum RotorError {
     Unsupported(Vec<Motion>),
     #[error("{found} stations, at most {MOST_STATIONS} are allowed: use fewer elements")]
     TooManyStations { found: usize },
-    #[error("position {position_mm} mm is off the shaft, which is {length_mm} mm long")]
+    #[error("position {position_mm:?} mm is off the shaft, which is {length_mm:?} mm long")]
     OffShaft { position_mm: f64, length_mm: f64 },
     #[error("there is no material \"{}\"", .0.escape_debug())]
     UnknownMaterial(String),

@@ -11,11 +11,13 @@
 //! - [`steel_shaft`], [`disc`], [`spring`], [`rigid`], [`rotor`], [`design`]: building blocks with plain arguments, for tests of
 //!   published examples.
 //! - [`random`]: valid designs within two decades of an automotive final drive, everything the solver distinguishes included.
+//! - [`nonsense`]: everything solved, and nothing in it infinite or not a number.
 //! - [`dense`]: the whole model in one matrix, solved without any of the program's shortcuts.
 #![allow(dead_code, reason = "each test binary uses its own part")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 pub mod dense;
+pub mod nonsense;
 pub mod random;
 
 use std::collections::BTreeMap;

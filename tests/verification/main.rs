@@ -4,8 +4,11 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod agreement;
 mod gear_pair;
+mod independent;
 mod overhung_beam;
 mod pinned_beam;
+mod refusals;
 mod torsional_train;
 mod two_disc_rotor;
