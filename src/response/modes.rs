@@ -42,7 +42,7 @@ impl Modes {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`].
+    /// As [`rotor_modes`], or a mode whose numbers overflow.
     pub fn new(model: &Model, most: usize) -> Result<Self, ResponseError> {
         let mut uncoupled = Uncoupled::new(model)?;
         uncoupled.join_equal();
@@ -69,7 +69,13 @@ impl Modes {
             let (pinion, gear) = energy.split_at(top);
             Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() }
         };
-        Ok(Self(found.iter().take(most).map(mode).collect()))
+        let modes: Vec<Mode> = found.iter().take(most).map(mode).collect();
+        // one sum of everything there is: NaN and infinities stay in it
+        let finite = |mode: &Mode| {
+            let shares = [mode.pinion, mode.gear].map(|share| share.lateral + share.axial + share.tilt + share.torsion);
+            (mode.frequency_hz + shares[0] + shares[1]).is_finite() && mode.shape.iter().all(|entry| entry.is_finite())
+        };
+        if modes.iter().all(finite) { Ok(Self(modes)) } else { Err(ResponseError::ModesNotFinite) }
     }
 }
 
