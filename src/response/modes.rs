@@ -71,7 +71,7 @@ impl Modes {
             if frequency_hz.is_finite() && total > 0.0 && mode.shape.iter().all(|entry| entry.is_finite()) {
                 Ok(mode)
             } else {
-                Err(ResponseError::ModeNotFinite)
+                Err(ResponseError::ModesNotFinite)
             }
         };
         Ok(Self(found.iter().take(most).map(mode).collect::<Result<_, _>>()?))
@@ -165,9 +165,12 @@ impl Uncoupled {
     }
 
     /// Modes that the mesh cannot feel stay as they are.
+    ///
+    /// Judged by what the spring mixes into their shape, k g_i g_j / lambda_i: their frequency moves by the square of that only.
     fn drop_uncoupled(&mut self, mesh_stiffness: f64) {
+        let all = self.g.iter().map(|g| g * g).sum::<f64>().sqrt();
         for (g, lambda) in self.g.iter_mut().zip(&self.lambda) {
-            if mesh_stiffness * *g * *g <= f64::EPSILON * lambda {
+            if mesh_stiffness * g.abs() * all <= f64::EPSILON * lambda {
                 *g = 0.0;
             }
         }

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::count::natural_frequencies_below;
 use super::plane::Plane;
 use super::root::brent;
+use super::transfer::Piece;
 
 /// A natural mode of a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,23 +40,27 @@ pub fn first_mode(plane: &Plane, guess: f64) -> Option<PlaneMode> {
 /// Brackets the lowest natural frequency by counting, so that no close pair is skipped, and polishes it on the determinant.
 fn first_frequency(plane: &Plane, guess: f64) -> Option<f64> {
     const NARROW: f64 = 1e-13;
-    // with 1.5 a step more than any double has room for
-    const MOST_STEPS: usize = 4000;
+    // there the search ends, and up to there no piece needs cutting into more than a handful of parts
+    let bound = plane.pieces.iter().map(Piece::clamped_bound).fold(f64::INFINITY, f64::min).sqrt();
+    let guess = guess.min(bound);
     if !(guess.is_finite() && guess > 0.0) {
         return None;
     }
     let below = |omega| natural_frequencies_below(plane, omega);
     let (mut low, mut high) = (0.97 * guess, 1.03 * guess);
-    let mut steps = 0..MOST_STEPS;
     while below(high)? == 0 {
-        steps.next()?;
+        if high > 1.02 * bound {
+            return None;
+        }
         low = high;
-        high *= 1.5;
+        high = (1.5 * high).min(1.03 * bound);
     }
     while below(low)? > 0 {
-        steps.next()?;
         high = low;
         low /= 1.5;
+        if low < f64::MIN_POSITIVE {
+            return None;
+        }
     }
     let halve = |low: &mut f64, high: &mut f64| -> Option<()> {
         let middle = f64::midpoint(*low, *high);
@@ -187,7 +192,7 @@ impl<'a> Chain<'a> {
             let start = self.behind_node(i, states[i], omega, unknowns, &mut next);
             let Some(piece) = self.plane.pieces.get(i) else { break };
             // Gauss on parts shorter than a clamped half wave: exact to rounding
-            let parts = piece.parts_without_own_modes(omega_squared)?;
+            let parts = piece.parts_without_own_modes(omega_squared);
             let part_length = piece.length / parts as f64;
             for part in 0..parts {
                 for (abscissa, weight) in GAUSS {

@@ -49,7 +49,7 @@ pub enum RotorError {
     NoShaft,
     #[error("more than {MAX_STATIONS} stations: use fewer elements")]
     TooManyStations,
-    #[error("position {position_mm} mm is off the shaft, which is {length_mm} mm long")]
+    #[error("position {position_mm:?} mm is off the shaft, which is {length_mm:?} mm long")]
     OffShaft { position_mm: f64, length_mm: f64 },
     #[error("there is no material \"{}\"", .0.escape_debug())]
     UnknownMaterial(String),
