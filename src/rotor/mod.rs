@@ -49,6 +49,8 @@ pub enum RotorError {
     TooManyStations { found: usize },
     #[error("position {position_mm:?} mm is off the shaft, which is {length_mm:?} mm long")]
     OffShaft { position_mm: f64, length_mm: f64 },
+    #[error("the shaft is too short to have two stations")]
+    TooShort,
     #[error("there is no material \"{}\"", .0.escape_debug())]
     UnknownMaterial(String),
     #[error("a rigid bearing holds the mesh station")]

@@ -30,7 +30,7 @@ impl Stations {
     ///
     /// # Errors
     ///
-    /// More than [`MOST_STATIONS`], a position off the shaft, or a material that the design does not have.
+    /// More than [`MOST_STATIONS`] or fewer than two, a position off the shaft, or a material that the design does not have.
     pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
         let requested = rotor.segments.iter().fold(1_usize, |sum, segment| sum.saturating_add(segment.elements));
         if requested > MOST_STATIONS {
@@ -62,6 +62,9 @@ impl Stations {
         all.dedup_by(|next, kept| *next - *kept <= SAME_STATION);
         if all.len() > MOST_STATIONS {
             return Err(RotorError::TooManyStations { found: all.len() });
+        }
+        if all.len() < 2 {
+            return Err(RotorError::TooShort);
         }
         let section_at = |middle: f64| {
             let index = ends.partition_point(|(end, _)| *end <= middle);
