@@ -45,12 +45,12 @@ impl Motion {
 pub enum RotorError {
     #[error("nothing holds it {}; {}", motions(.0), cure(.0))]
     Unsupported(Vec<Motion>),
-    #[error("it has no length")]
-    NoShaft,
     #[error("more than {MAX_STATIONS} stations: use fewer elements")]
     TooManyStations,
     #[error("position {position_mm:?} mm is off the shaft, which is {length_mm:?} mm long")]
     OffShaft { position_mm: f64, length_mm: f64 },
+    #[error("the shaft is too short to have two stations")]
+    TooShort,
     #[error("there is no material \"{}\"", .0.escape_debug())]
     UnknownMaterial(String),
     #[error("a rigid bearing holds the mesh station")]

@@ -30,7 +30,7 @@ impl Stations {
         let all =
             rotor.station_positions().filter(|all| all.len() <= MAX_STATIONS).ok_or(RotorError::TooManyStations)?;
         if all.len() < 2 {
-            return Err(RotorError::NoShaft);
+            return Err(RotorError::TooShort);
         }
         let mut ends = Vec::with_capacity(rotor.segments.len());
         let mut length = 0.0;

@@ -6,7 +6,7 @@ use bevelscope::design::{Bearing, Design, RotorDesign};
 use bevelscope::rotor::{Motion, Rotor, RotorError};
 
 use crate::support::nonsense::assert_no_nonsense;
-use crate::support::{ordinary, rigid, spring};
+use crate::support::{ordinary, rigid, rotor, spring, steel_shaft};
 
 fn with_bearings(bearings: Vec<Bearing>) -> Design {
     let mut design = ordinary();
@@ -166,5 +166,17 @@ fn zeros() {
         let mut design = ordinary();
         change(&mut design);
         assert_no_nonsense(name, &design).unwrap_or_else(|message| panic!("{name}: {message}"));
+    }
+}
+
+/// A shaft shorter than what makes two stations: a length may be any positive number.
+#[test]
+fn shaft_without_length() {
+    for length in [1e-10, 1e-300] {
+        let mut shaft = rotor(vec![steel_shaft(length, 0.03, 2)], vec![], vec![rigid(0.0, [true; 3])]);
+        shaft.drive.position = 0.0;
+        let design = Design { pinion: shaft, ..ordinary() };
+        let message = assert_no_nonsense("short", &design).unwrap_err();
+        assert!(message.starts_with("pinion shaft: the shaft is too short"), "{message}");
     }
 }
