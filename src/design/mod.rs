@@ -9,9 +9,13 @@
 #[macro_use]
 mod declare;
 mod check;
+mod diff;
 mod document;
+mod edit;
 mod finding;
+pub mod grid;
 mod key_path;
+mod label;
 pub mod library;
 mod load;
 mod model;
@@ -19,11 +23,15 @@ mod read;
 pub mod reference;
 mod render;
 mod rotor;
+mod save;
 pub mod schema;
 mod side;
 mod station;
+mod totals;
 
+pub use diff::{Difference, diff};
 pub use document::{Document, EditError};
+pub use edit::{Applied, Edit, EditName, Editor, Spelled, Towards};
 pub use finding::{Finding, Severity};
 pub use key_path::{KeyPath, KeyPathError, Step};
 pub use load::{LoadError, Loaded, MAX_BYTES, load, load_from};
@@ -31,5 +39,7 @@ pub use model::*;
 pub use read::{Reading, read};
 pub use render::{Position, Source};
 pub use rotor::*;
+pub use save::{SaveError, save, save_new};
 pub use side::Side;
 pub use station::{MAX_STATIONS, SAME_STATION};
+pub use totals::Totals;
