@@ -9,8 +9,11 @@
 #[macro_use]
 mod declare;
 mod check;
+mod diff;
 mod document;
+mod edit;
 mod finding;
+pub mod grid;
 mod key_path;
 pub mod library;
 mod load;
@@ -18,11 +21,15 @@ mod model;
 mod read;
 mod render;
 mod rotor;
+mod save;
 pub mod schema;
 mod side;
+mod totals;
 
 pub use check::MAX_STATIONS;
+pub use diff::{Difference, diff};
 pub use document::{Document, EditError};
+pub use edit::{Applied, Edit, EditName, Editor, Spelled, Towards};
 pub use finding::{Finding, Severity};
 pub use key_path::{KeyPath, KeyPathError, Step};
 pub use load::{LoadError, Loaded, MAX_BYTES, load, load_from};
@@ -30,4 +37,6 @@ pub use model::*;
 pub use read::{Reading, read};
 pub use render::{Position, Source};
 pub use rotor::*;
+pub use save::{SaveError, save, save_new};
 pub use side::Side;
+pub use totals::Totals;

@@ -1,5 +1,9 @@
 //! Quantities at the edges of the program: which unit a number is written in, and what it is in SI.
 
+mod typed;
+
+pub use typed::{Typed, UnitError, parse};
+
 /// What a number of a design file measures. It decides the unit at the end of the file key and the way to SI units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Quantity {

@@ -1,5 +1,15 @@
 //! Folders of designs, and the designs that come with the program.
 
+mod name;
+mod trash;
+mod tree;
+mod variant;
+
+pub use name::{NameError, VariantName};
+pub use trash::{TRASH, Trashed, delete, restore, trashed};
+pub use tree::{Branch, tree};
+pub use variant::{About, VariantError, duplicate, rename, save_variant};
+
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -16,9 +26,9 @@ pub struct Shipped {
 
 /// The designs of the folder `designs`, by file name.
 pub const SHIPPED: &[Shipped] = &[
-    Shipped { file_name: "overhung-elastic.toml", text: include_str!("../../designs/overhung-elastic.toml") },
-    Shipped { file_name: "overhung-rigid.toml", text: include_str!("../../designs/overhung-rigid.toml") },
-    Shipped { file_name: "straddle-elastic.toml", text: include_str!("../../designs/straddle-elastic.toml") },
+    Shipped { file_name: "overhung-elastic.toml", text: include_str!("../../../designs/overhung-elastic.toml") },
+    Shipped { file_name: "overhung-rigid.toml", text: include_str!("../../../designs/overhung-rigid.toml") },
+    Shipped { file_name: "straddle-elastic.toml", text: include_str!("../../../designs/straddle-elastic.toml") },
 ];
 
 /// One file of a library: its design, or why there is none.

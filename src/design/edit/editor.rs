@@ -1,0 +1,95 @@
+//! A design that is being edited: its text, what it says, and how it came to be.
+
+use super::{Edit, EditName};
+use crate::design::grid::{Grid, Sheet};
+use crate::design::{Document, EditError, KeyPath, Reading, read};
+
+/// A text with its history. What it says is read again after every change.
+#[derive(Debug, Clone)]
+pub struct Editor {
+    document: Document,
+    saved: String,
+    reading: Reading,
+}
+
+/// What an edit did.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Applied {
+    pub name: EditName,
+    /// Where to look: the value that was set, the row where it is now. By place.
+    pub focus: KeyPath,
+    /// False where the text already said that; nothing is to be undone then.
+    pub changed: bool,
+}
+
+impl Editor {
+    /// The text as it was read from a file, which counts as saved.
+    ///
+    /// # Errors
+    ///
+    /// [`EditError::Syntax`] where the text is no TOML. What the values mean is not looked at.
+    pub fn new(text: impl Into<String>) -> Result<Self, EditError> {
+        let document = Document::parse(text)?;
+        let (saved, reading) = (document.text().to_owned(), read(document.text()));
+        Ok(Self { document, saved, reading })
+    }
+
+    /// Makes the edit as a whole or not at all. The design may have errors afterwards: the [findings](Reading) say so.
+    ///
+    /// # Errors
+    ///
+    /// [`EditError`] where the edit cannot be made, or where the text would be no TOML after it.
+    pub fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
+        let _ = edit;
+        Err(EditError::NotThere(KeyPath::root()))
+    }
+
+    /// Takes the last edit back: the text is byte for byte what it was before.
+    pub fn undo(&mut self) -> Option<EditName> {
+        None
+    }
+
+    /// Makes the edit again that was taken back last.
+    pub fn redo(&mut self) -> Option<EditName> {
+        None
+    }
+
+    /// What [`undo`](Self::undo) would take back.
+    pub fn undo_name(&self) -> Option<&EditName> {
+        None
+    }
+
+    /// What [`redo`](Self::redo) would make again.
+    pub fn redo_name(&self) -> Option<&EditName> {
+        None
+    }
+
+    /// Is the text another than what was saved last?
+    pub fn is_modified(&self) -> bool {
+        self.document.text() != self.saved
+    }
+
+    /// The text as it is now is in the file. The history stays.
+    pub fn mark_saved(&mut self) {
+        self.document.text().clone_into(&mut self.saved);
+    }
+
+    /// The text that was saved last.
+    pub fn saved_text(&self) -> &str {
+        &self.saved
+    }
+
+    pub fn text(&self) -> &str {
+        self.document.text()
+    }
+
+    /// The design of the text as it is now, and everything wrong with it.
+    pub fn reading(&self) -> &Reading {
+        &self.reading
+    }
+
+    /// A table of the design, with the findings of [`reading`](Self::reading) beside the cells.
+    pub fn grid(&self, sheet: &Sheet) -> Grid {
+        Grid::new(self.text(), &self.reading.findings, sheet)
+    }
+}

@@ -1,0 +1,95 @@
+//! One value of a table, as a person sees and edits it.
+
+use crate::design::schema::Limit;
+use crate::design::{Edit, KeyPath};
+use crate::units::Quantity;
+
+/// What a column, or a cell of a row's own, holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// As in the file: `outer_diameter_mm`
+    pub key: &'static str,
+    /// Short, without the unit: `outer diameter`, `point x`, `x thz`
+    pub label: String,
+    /// As people read it: `mm`; empty where there is none.
+    pub unit: &'static str,
+    /// One sentence.
+    pub doc: &'static str,
+}
+
+/// One value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    pub column: Column,
+    /// By place: `pinion.bearing[0].kx_n_per_m`, `mesh.pinion.point_mm[2]`.
+    pub path: KeyPath,
+    pub shown: Shown,
+    pub kind: CellKind,
+    /// It must be written; otherwise it may be cleared.
+    pub required: bool,
+    /// Which findings are about it, as places in the list of findings.
+    pub findings: Vec<usize>,
+}
+
+/// What a cell shows. Texts are as in the file: make them [printable](crate::text::printable).
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Shown {
+    /// Written in the file: numbers as spelled there, texts without quotes, lists with commas.
+    Written(String),
+    /// Not written; this holds.
+    Default(String),
+    /// Not written, and there is no value.
+    Nothing,
+}
+
+/// What may be typed into a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CellKind {
+    /// With a unit of the quantity, or in the file's unit
+    Number(Quantity, Limit),
+    /// Within these bounds, both included
+    Whole(u64, u64),
+    Text,
+    /// A text that is not empty
+    Name,
+    /// Words with commas between them
+    Texts,
+    /// One of these
+    Choice(&'static [&'static str]),
+    /// At least one of these
+    Flags(&'static [&'static str]),
+    /// One of three numbers
+    VectorEntry(Quantity),
+    /// One of 36 numbers, by row and column; the mirrored one changes with it
+    MatrixEntry(usize, usize),
+    /// The model of a bearing, one of these: the row has other cells afterwards
+    Model(&'static [&'static str]),
+}
+
+impl Shown {
+    /// The text without the mark.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Written(text) | Self::Default(text) => text,
+            Self::Nothing => "",
+        }
+    }
+
+    pub fn is_written(&self) -> bool {
+        matches!(self, Self::Written(_))
+    }
+}
+
+impl Edit {
+    /// What was typed into a cell, as an edit. Nothing typed clears the cell, so that its default holds.
+    ///
+    /// Limits are not looked at: a value beyond them can be written, and findings say so.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that says what can be typed.
+    pub fn from_typed(cell: &Cell, typed: &str) -> Result<Self, String> {
+        let _ = typed;
+        Err(format!("{} cannot be edited", cell.column.label))
+    }
+}

@@ -1,0 +1,90 @@
+//! Which tables a design has.
+
+use crate::design::schema::{Kind, ROOT, Table};
+use crate::design::{Analysis, Bearing, Body, Drive, KeyPath, Material, Mesh, MeshVectors, RotorDesign, Segment, Side};
+
+/// One table, or list of tables, of every design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
+    /// Where it is: `pinion.segment`; the root for the design's own keys.
+    pub path: KeyPath,
+    pub shape: Shape,
+    pub table: &'static Table,
+}
+
+/// How many tables there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Shape {
+    /// One
+    Single,
+    /// A list with at least that many: rows can be inserted, duplicated, deleted and moved
+    List { at_least: usize },
+    /// By name: rows can be added, renamed and removed
+    Named,
+}
+
+impl Sheet {
+    /// Every sheet, in the order of the schema; parents before what is below them.
+    pub fn all() -> Vec<Self> {
+        let mut sheets = vec![Self::design()];
+        let mut next = 0;
+        while let Some(Self { path, shape, table }) = sheets.get(next).cloned() {
+            next += 1;
+            if shape != Shape::Single {
+                continue;
+            }
+            sheets.extend(table.fields.iter().filter_map(|field| {
+                let path = path.key(field.key);
+                match field.kind {
+                    Kind::Table(table) => Some(Self { path, shape: Shape::Single, table }),
+                    Kind::Tables(table, at_least) => Some(Self { path, shape: Shape::List { at_least }, table }),
+                    Kind::NamedTables(table) => Some(Self { path, shape: Shape::Named, table }),
+                    _ => None,
+                }
+            }));
+        }
+        sheets
+    }
+
+    /// Name, description, tags, parent, note.
+    pub fn design() -> Self {
+        Self { path: KeyPath::root(), shape: Shape::Single, table: ROOT }
+    }
+
+    pub fn analysis() -> Self {
+        Self { path: KeyPath::root().key("analysis"), shape: Shape::Single, table: Analysis::TABLE }
+    }
+
+    pub fn materials() -> Self {
+        Self { path: KeyPath::root().key("material"), shape: Shape::Named, table: Material::TABLE }
+    }
+
+    pub fn mesh() -> Self {
+        Self { path: KeyPath::root().key("mesh"), shape: Shape::Single, table: Mesh::TABLE }
+    }
+
+    pub fn mesh_side(side: Side) -> Self {
+        Self { path: Self::mesh().path.key(side.name()), shape: Shape::Single, table: MeshVectors::TABLE }
+    }
+
+    /// The rotor's own keys.
+    pub fn rotor(side: Side) -> Self {
+        Self { path: KeyPath::root().key(side.name()), shape: Shape::Single, table: RotorDesign::TABLE }
+    }
+
+    pub fn segments(side: Side) -> Self {
+        Self { path: Self::rotor(side).path.key("segment"), shape: Shape::List { at_least: 1 }, table: Segment::TABLE }
+    }
+
+    pub fn bodies(side: Side) -> Self {
+        Self { path: Self::rotor(side).path.key("body"), shape: Shape::List { at_least: 0 }, table: Body::TABLE }
+    }
+
+    pub fn bearings(side: Side) -> Self {
+        Self { path: Self::rotor(side).path.key("bearing"), shape: Shape::List { at_least: 1 }, table: Bearing::TABLE }
+    }
+
+    pub fn drive(side: Side) -> Self {
+        Self { path: Self::rotor(side).path.key("drive"), shape: Shape::Single, table: Drive::TABLE }
+    }
+}
