@@ -8,7 +8,8 @@ mod table;
 mod written;
 
 pub(super) use locate::{locate, walk};
-pub(super) use nearest::{did_you_mean, listed};
+pub(crate) use nearest::did_you_mean;
+pub(super) use nearest::listed;
 pub(super) use table::{FromFile, FromTable, TableReader};
 
 use toml::de::{DeTable, DeValue};
