@@ -128,7 +128,8 @@ fn write_table(out: &mut impl Write, keys: &Keys) -> std::io::Result<()> {
             }
             for (set, modes) in sets {
                 let set = if set.is_empty() { format!(":{}", about.name) } else { set };
-                for (line, modes) in crate::text::wrap(&modes.join(" "), 39).iter().enumerate() {
+                let modes = if modes.len() == Mode::ALL.len() { "everywhere".into() } else { modes.join(" ") };
+                for (line, modes) in crate::text::wrap(&modes, 39).iter().enumerate() {
                     let set = if line == 0 { set.as_str() } else { "" };
                     writeln!(out, "{:19}{set:<22}{modes}", "")?;
                 }

@@ -66,7 +66,7 @@ impl App {
         };
         let path = row.path.clone();
         self.form = Some(Form { purpose, path, field: TextField::new(name), refused: None, pending: false });
-        self.open(Mode::Form);
+        self.open(Mode::Name);
     }
 
     /// `STEM-2`, or the next number that is free.
@@ -106,7 +106,7 @@ impl App {
         if let Some(form) = &mut self.form {
             form.pending = true;
         }
-        vec![Effect::File(request)]
+        vec![Effect::ChangeFile(request)]
     }
 
     pub(super) fn edit_form(&mut self, edit: impl FnOnce(&mut TextField)) {
@@ -125,11 +125,11 @@ impl App {
 
     pub(super) fn delete_confirmed(&mut self) -> Vec<Effect> {
         self.close();
-        self.to_delete.take().map(|path| Effect::File(FileRequest::Delete { path })).into_iter().collect()
+        self.to_delete.take().map(|path| Effect::ChangeFile(FileRequest::Delete { path })).into_iter().collect()
     }
 
     pub(super) fn restore_deleted(&mut self) -> Vec<Effect> {
-        vec![Effect::File(FileRequest::Restore(self.deleted.pop()))]
+        vec![Effect::ChangeFile(FileRequest::Restore(self.deleted.pop()))]
     }
 
     /// Takes in what became of a request.
@@ -194,7 +194,7 @@ impl App {
 
     fn close_form(&mut self) {
         self.form = None;
-        if self.mode == Mode::Form {
+        if self.mode == Mode::Name {
             self.close();
         }
     }

@@ -19,7 +19,7 @@ pub enum Mode {
     /// An action's name is being typed.
     Palette,
     /// A file's name is being typed.
-    Form,
+    Name,
     /// A question with yes or no.
     Confirm,
     /// All messages in full.
@@ -36,7 +36,7 @@ impl Mode {
         Self::Help,
         Self::HelpSearch,
         Self::Palette,
-        Self::Form,
+        Self::Name,
         Self::Confirm,
         Self::Messages,
         Self::Compare,
@@ -51,7 +51,7 @@ impl Mode {
             Self::Help => "help",
             Self::HelpSearch => "help-search",
             Self::Palette => "palette",
-            Self::Form => "form",
+            Self::Name => "name",
             Self::Confirm => "confirm",
             Self::Messages => "messages",
             Self::Compare => "compare",
@@ -87,15 +87,15 @@ const MOVING: &[Mode] = &[
     Mode::Compare,
 ];
 const LIBRARY: &[Mode] = &[Mode::Library];
-const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Form];
+const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
 /// Where the cursor can stand within the text.
-const FIELDS: &[Mode] = &[Mode::Palette, Mode::Form];
+const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name];
 /// What lies over the explorer and is closed.
 const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
-const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Form, Mode::Confirm];
+const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
 const CONFIRM: &[Mode] = &[Mode::Confirm];
 const COMMANDS: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare];
 const HELP: &[Mode] = &[Mode::Help];
@@ -147,12 +147,12 @@ pub const BINDINGS: &[Binding] = &[
     letter(PANES, 'D', Action::Delete),
     letter(PANES, 'u', Action::RestoreDeleted),
     key(FILTERING, KeyCode::Enter, Action::KeepFilter),
-    key(FIELDS, KeyCode::Left, Action::CursorLeft),
-    key(FIELDS, KeyCode::Right, Action::CursorRight),
-    key(FIELDS, KeyCode::Home, Action::CursorStart),
-    control(FIELDS, 'a', Action::CursorStart),
-    key(FIELDS, KeyCode::End, Action::CursorEnd),
-    control(FIELDS, 'e', Action::CursorEnd),
+    key(FIELDS, KeyCode::Left, Action::TextLeft),
+    key(FIELDS, KeyCode::Right, Action::TextRight),
+    key(FIELDS, KeyCode::Home, Action::TextStart),
+    control(FIELDS, 'a', Action::TextStart),
+    key(FIELDS, KeyCode::End, Action::TextEnd),
+    control(FIELDS, 'e', Action::TextEnd),
     key(TYPING, KeyCode::Backspace, Action::DeleteCharacter),
     control(TYPING, 'h', Action::DeleteCharacter),
     key(FIELDS, KeyCode::Delete, Action::DeleteForward),

@@ -57,7 +57,7 @@ pub enum Effect {
     /// List the library's files again.
     List,
     /// Rename, copy, delete or bring back a file.
-    File(FileRequest),
+    ChangeFile(FileRequest),
     /// Compare two designs.
     Compare(CompareJob),
     /// Draw all of the screen, whatever the terminal shows.

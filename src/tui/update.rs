@@ -143,7 +143,7 @@ impl App {
         match self.mode {
             Mode::HelpSearch => self.edit_help_search(edit),
             Mode::Palette => self.edit_palette(edit),
-            Mode::Form => self.edit_form(edit),
+            Mode::Name => self.edit_form(edit),
             _ => {}
         }
         Vec::new()
@@ -203,10 +203,10 @@ impl App {
             Action::DeleteForward => self.edit(TextField::delete_after),
             Action::ClearText if self.mode == Mode::Filter => self.edit_filter(String::clear),
             Action::ClearText => self.edit(TextField::clear),
-            Action::CursorLeft => self.edit(TextField::left),
-            Action::CursorRight => self.edit(TextField::right),
-            Action::CursorStart => self.edit(TextField::start),
-            Action::CursorEnd => self.edit(TextField::end),
+            Action::TextLeft => self.edit(TextField::left),
+            Action::TextRight => self.edit(TextField::right),
+            Action::TextStart => self.edit(TextField::start),
+            Action::TextEnd => self.edit(TextField::end),
             Action::ToggleTree => {
                 self.library.toggle_tree();
                 self.say(if self.library.is_tree() { "variants below their parents" } else { "all designs by name" });
@@ -232,7 +232,7 @@ impl App {
             Action::RestoreDeleted => self.restore_deleted(),
             Action::Accept => match self.mode {
                 Mode::Palette => self.run_chosen(),
-                Mode::Form => self.accept_form(),
+                Mode::Name => self.accept_form(),
                 Mode::Confirm => self.delete_confirmed(),
                 _ => Vec::new(),
             },
@@ -271,7 +271,7 @@ impl App {
             Mode::Palette => self.palette.height.saturating_sub(1).max(1).cast_signed(),
             Mode::Messages => self.messages.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
-            Mode::Form | Mode::Confirm => 1,
+            Mode::Name | Mode::Confirm => 1,
         }
     }
 
@@ -290,7 +290,7 @@ impl App {
                     view.scroll.by(by);
                 }
             }
-            Mode::Form | Mode::Confirm => {}
+            Mode::Name | Mode::Confirm => {}
         }
         Vec::new()
     }
@@ -311,7 +311,7 @@ impl App {
             }
             // what is searched for goes first, as in the list of designs
             Mode::Help if !self.help_search.is_empty() => self.help_search = HelpSearch::default(),
-            Mode::Form => {
+            Mode::Name => {
                 self.form = None;
                 self.close();
             }

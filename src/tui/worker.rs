@@ -116,7 +116,7 @@ struct Queues {
     selected: Option<Job>,
     rows: VecDeque<Job>,
     list: bool,
-    files: VecDeque<FileRequest>,
+    changes: VecDeque<FileRequest>,
     compare: Option<CompareJob>,
     closed: bool,
 }
@@ -124,7 +124,7 @@ struct Queues {
 enum Task {
     Solve(Job),
     List,
-    File(FileRequest),
+    ChangeFile(FileRequest),
     Compare(Box<CompareJob>),
 }
 
@@ -158,7 +158,9 @@ impl Worker {
     pub fn start(backend: Arc<dyn Backend>, sender: &Sender<Message>) -> std::io::Result<Self> {
         let worker = Self { shared: Arc::default() };
         worker.spawn("selected", Arc::clone(&backend), sender, |queues| queues.selected.take().map(Task::Solve))?;
-        worker.spawn("files", Arc::clone(&backend), sender, |queues| queues.files.pop_front().map(Task::File))?;
+        worker.spawn("changes", Arc::clone(&backend), sender, |queues| {
+            queues.changes.pop_front().map(Task::ChangeFile)
+        })?;
         worker.spawn("compare", Arc::clone(&backend), sender, |queues| {
             queues.compare.take().map(|job| Task::Compare(Box::new(job)))
         })?;
@@ -182,7 +184,7 @@ impl Worker {
             while let Some(task) = shared.next(&take) {
                 match task {
                     Task::Solve(job) => perform(&job, &*backend, &mut report),
-                    Task::File(request) => report(change_file(request, &*backend)),
+                    Task::ChangeFile(request) => report(change_file(request, &*backend)),
                     Task::Compare(job) => {
                         let result = Box::new(super::compare::perform(&job, &*backend));
                         report(Message::Compared { ticket: job.ticket, result });
@@ -212,7 +214,7 @@ impl Worker {
 
     /// Asks for a file to be changed; such requests are carried out one after the other.
     pub fn change_file(&self, request: FileRequest) {
-        self.shared.lock().files.push_back(request);
+        self.shared.lock().changes.push_back(request);
         self.shared.changed.notify_all();
     }
 

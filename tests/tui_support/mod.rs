@@ -294,7 +294,7 @@ impl Screen {
     /// What comes back for an effect that is no job.
     fn message(&self, effect: &Effect) -> Option<Message> {
         match effect {
-            Effect::File(request) => Some(worker::change_file(request.clone(), &*self.backend)),
+            Effect::ChangeFile(request) => Some(worker::change_file(request.clone(), &*self.backend)),
             Effect::Compare(job) => {
                 let result = Box::new(compare::perform(job, &*self.backend));
                 Some(Message::Compared { ticket: job.ticket, result })

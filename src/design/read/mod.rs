@@ -7,7 +7,7 @@ mod scalar;
 mod table;
 mod written;
 
-pub(super) use locate::{locate, walk};
+pub(super) use locate::locate;
 pub(crate) use nearest::did_you_mean;
 pub(super) use nearest::listed;
 pub(super) use table::{FromFile, FromTable, TableReader};

@@ -24,7 +24,7 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             // the same window, with the search being typed
             Mode::HelpSearch => cursor = help::render(app, area, buffer),
             Mode::Palette => cursor = palette::render(app, area, buffer),
-            Mode::Form => cursor = form::render(app, area, buffer),
+            Mode::Name => cursor = form::render(app, area, buffer),
             Mode::Confirm => form::render_question(app, area, buffer),
             Mode::Messages => messages::render(app, area, buffer),
             Mode::Library | Mode::Text | Mode::Filter | Mode::Compare => {}
