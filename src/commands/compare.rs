@@ -1,11 +1,12 @@
 //! `bevelscope compare`: where two designs differ, and how the models of both agree.
 //!
-//! The table of differences has a line for each value by its key path, as both files spell it; the unit stands in the key as
-//! in the file. What only one design has, a value or a whole row, has `-` for the other. Then the agreement of both, and how far
+//! The table of differences has a line for each value by its key path, as both files spell it, with its unit. What only one design has, a value or a whole row, has `-` for the other. Then the agreement of both, and how far
 //! apart the finite element spectra are, where both are computed on the same lines.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+use unicode_width::UnicodeWidthStr;
 
 use super::{CommandError, Format, Status, input};
 use crate::agreement::Agreement;
@@ -122,9 +123,9 @@ impl<'a> Output<'a> {
     }
 }
 
-/// Columns of the terminal for the key path, and for each of the two values.
-const KEY: usize = 44;
-const VALUE: usize = 16;
+/// Columns of the terminal, and the most that each of the two values takes.
+const WIDTH: usize = 80;
+const VALUE: usize = 14;
 
 fn write_tables(
     out: &mut impl Write,
@@ -141,15 +142,7 @@ fn write_tables(
     if differences.is_empty() {
         writeln!(out, "no value differs")?;
     } else {
-        let mut table = Table::new(["key", "A", "B"]).widest_name(KEY);
-        for difference in differences {
-            let value = |value: &Option<String>| {
-                let shown = value.as_deref().map_or("-".into(), printable);
-                cut(&shown, VALUE, "..")
-            };
-            table.row([difference.path.to_string(), value(&difference.a), value(&difference.b)]);
-        }
-        write!(out, "{table}")?;
+        write_differences(out, differences)?;
     }
     writeln!(out)?;
     let mut table = Table::new(["", "enhanced\nlimit Hz", "RMS\ndB", "FRAC", "basic\nlimit Hz", "RMS\ndB", "FRAC"]);
@@ -167,4 +160,29 @@ fn write_tables(
         Some(rms) => writeln!(out, "\nfinite element spectra: {rms:.2} dB RMS apart"),
         None => writeln!(out, "\nfinite element spectra: on different lines"),
     }
+}
+
+/// A line a value; where its key path leaves no room for the values, they stand below it.
+fn write_differences(out: &mut impl Write, differences: &[Difference]) -> io::Result<()> {
+    let value = |value: &Option<String>| cut(&value.as_deref().map_or("-".into(), printable), VALUE, "..");
+    let rows = differences.iter().map(|difference| {
+        let key = printable(&difference.path.to_string()).into_owned();
+        [key, value(&difference.a), value(&difference.b), difference.unit.to_owned()]
+    });
+    let rows: Vec<[String; 4]> = [["key", "A", "B", "unit"].map(str::to_owned)].into_iter().chain(rows).collect();
+    let widest = |place: usize| rows.iter().map(|row| row[place].width()).max().unwrap_or(0);
+    let (a, b, unit) = (widest(1), widest(2), widest(3));
+    let room = widest(0).min(WIDTH.saturating_sub(a + b + unit + 6));
+    let pad = |text: &str, width: usize| " ".repeat(width.saturating_sub(text.width()));
+    for [key, of_a, of_b, unit] in &rows {
+        let key = cut(key, WIDTH, "..");
+        if key.width() > room {
+            write!(out, "{key}\n{}", " ".repeat(room))?;
+        } else {
+            write!(out, "{key}{}", pad(&key, room))?;
+        }
+        let line = format!("  {}{of_a}  {}{of_b}  {unit}", pad(of_a, a), pad(of_b, b));
+        writeln!(out, "{}", line.trim_end())?;
+    }
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! The command palette: an action by its name.
 
-use super::action::{ACTIONS, About, Action};
+use super::action::{ACTIONS, About, Action, Category};
 use super::app::App;
 use super::fuzzy;
 use super::keymap::{self, Mode};
@@ -63,7 +63,8 @@ impl App {
                 name.max(doc).map(|score| (score, about))
             })
             .collect();
-        found.sort_by_key(|(score, _)| -score);
+        // what keys are for anyway comes last
+        found.sort_by_key(|(score, about)| (-score, about.category == Category::Move));
         let entry = |(_, about): (i32, &'static About)| Entry {
             about,
             keys: self.keys.of(mode, about.action, self.theme.glyphs.ascii).join(" "),

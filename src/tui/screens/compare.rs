@@ -55,10 +55,10 @@ fn render_body(view: &mut CompareView, theme: &Theme, area: Rect, buffer: &mut B
         None => vec![Cells::text(&format!("Reading and solving both designs{}", theme.glyphs.ellipsis))],
         Some(result) => lines(result, usize::from(area.width)),
     };
-    let wanted = lines.len() as u16 + 1;
+    let wanted = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(1);
     let room = area.height.saturating_sub(2);
     // the differences need few rows most of the time: the spectra have the rest, and never less than half
-    let table = wanted.min((room / 2).max(room.saturating_sub(LEAST_PLOT + 30))).max(2.min(room));
+    let table = wanted.clamp(2.min(room), (room / 2).max(2.min(room)));
     let has_plot = room.saturating_sub(table + 1) >= LEAST_PLOT;
     let table = if has_plot { table } else { room };
     view.scroll.fit(lines.len(), usize::from(table).saturating_sub(1));
@@ -145,9 +145,16 @@ fn render_table(lines: &[Cells], top: usize, theme: &Theme, area: Rect, buffer: 
         return;
     }
     let all = usize::from(area.width).saturating_sub(2);
-    // two columns of values; what is left is for the label
-    let unit = 8;
-    let value = ((all - unit.min(all)) / 4).clamp(8, 24);
+    // as wide as what is in them, within bounds; what is left is for the label
+    let widest = |place: usize| {
+        let cells = lines.iter().map(|cells| match cells {
+            Cells::Values(values) => values[place].width(),
+            Cells::Text(_) => 0,
+        });
+        cells.max().unwrap_or(0)
+    };
+    let unit = widest(3).clamp(4, 12);
+    let value = widest(1).max(widest(2)).clamp(6, (all / 4).max(6));
     let label = all.saturating_sub(2 * (value + 2) + unit + 1);
     let ellipsis = theme.glyphs.ellipsis;
     let line = |[name, a, b, of]: [&str; 4]| {
@@ -208,12 +215,10 @@ fn render_figures(view: &CompareView, theme: &Theme, area: Rect, buffer: &mut Bu
         let mut spans = vec![Span::styled(format!(" {name}: "), theme.title)];
         match side {
             Ok(side) => {
-                let gap = if area.width >= 80 { "   " } else { "  " };
                 spans.push(Span::styled("enhanced ", theme.enhanced));
-                spans.push(Span::raw(agreement(&side.enhanced)));
-                spans.push(Span::raw(gap));
-                spans.push(Span::styled("basic ", theme.basic));
-                spans.push(Span::raw(agreement(&side.basic)));
+                spans.push(Span::raw(agreement(&side.enhanced, area.width)));
+                spans.push(Span::styled("  basic ", theme.basic));
+                spans.push(Span::raw(agreement(&side.basic, area.width)));
             }
             Err(_) => spans.push(Span::styled("no agreement without a solution", theme.faint)),
         }
@@ -221,7 +226,13 @@ fn render_figures(view: &CompareView, theme: &Theme, area: Rect, buffer: &mut Bu
     }
 }
 
-fn agreement(agreement: &Agreement) -> String {
+/// How far a model can be trusted, in as many words as there is room for.
+fn agreement(agreement: &Agreement, width: u16) -> String {
     let limit = if agreement.agreement_limit_hz > 0.0 { grouped(agreement.agreement_limit_hz) } else { "0".into() };
-    format!("to {limit:>6} Hz,{:>6.2} dB RMS", agreement.rms_db)
+    let rms = agreement.rms_db;
+    match width {
+        100.. => format!("trust to {limit:>6} Hz, {rms:>5.2} dB RMS, FRAC {:.2}", agreement.frac),
+        80.. => format!("to {limit:>6} Hz, {rms:>5.2} dB RMS"),
+        _ => format!("{limit:>6} Hz {rms:>5.2} dB"),
+    }
 }
