@@ -72,9 +72,9 @@ impl Backend for Folder {
             return Err("/designs: Permission denied".into());
         }
         let mut files = self.files.lock().unwrap();
-        let taken = |files: &[PathBuf], path: &PathBuf| match files.contains(path) {
-            true => Err(format!("{}: there is a file of that name already", path.display())),
-            false => Ok(path.clone()),
+        let taken = |files: &[PathBuf], path: &PathBuf| {
+            let error = format!("{}: there is a file of that name already", path.display());
+            if files.contains(path) { Err(error) } else { Ok(path.clone()) }
         };
         Ok(match request {
             FileRequest::Rename { path, name } => {

@@ -76,7 +76,11 @@ impl App {
         numbered.into_iter().find(is_free).unwrap_or_default()
     }
 
-    /// What the form would do, or what is wrong with the name.
+    /// What the form would do.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the name, in words.
     pub fn checked_form(&self) -> Result<FileRequest, String> {
         let Some(form) = &self.form else { return Err(String::new()) };
         if let Some(refused) = &form.refused {

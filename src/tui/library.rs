@@ -233,8 +233,7 @@ impl Library {
         let cursor = selected.and_then(|selected| {
             place(selected).or_else(|| {
                 let order = self.ordered(&all);
-                let after = order.iter().map(|&(at, _)| at).skip_while(|&at| at != selected);
-                after.filter_map(place).next()
+                order.iter().map(|&(at, _)| at).skip_while(|&at| at != selected).find_map(place)
             })
         });
         let last = self.shown.len().saturating_sub(1);

@@ -52,12 +52,12 @@ pub fn render_question(app: &App, area: Rect, buffer: &mut Buffer) {
     let ascii = theme.glyphs.ascii;
     let back = app.keys.of(Mode::Library, Action::RestoreDeleted, ascii).into_iter().next();
     let back = back.unwrap_or_else(|| format!(":{}", Action::RestoreDeleted.name()));
-    let mut text = format!("Move {stem} to the trash of its folder? {back} brings it back.");
-    match row.map_or(0, |row| app.library.variants(row)) {
-        0 => {}
-        1 => text.push_str("\n1 variant names it as its parent."),
-        more => text.push_str(&format!("\n{more} variants name it as their parent.")),
-    }
+    let variants = match row.map_or(0, |row| app.library.variants(row)) {
+        0 => String::new(),
+        1 => "\n1 variant names it as its parent.".into(),
+        more => format!("\n{more} variants name it as their parent."),
+    };
+    let text = format!("Move {stem} to the trash of its folder? {back} brings it back.{variants}");
     let width = area.width.min(WIDTH);
     let mut lines = wrap(&text, usize::from(width.saturating_sub(4)));
     let keys = |action| app.keys.of(Mode::Confirm, action, ascii).join(" ");
