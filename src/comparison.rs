@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::agreement::{Agreement, AgreementError, Tolerance};
+use crate::agreement::{Agreement, AgreementError, Tolerance, difference_db};
 use crate::design::Design;
 use crate::model::{Model, ModelKind, Rotors, RotorsError};
 use crate::response::{Compliance, ResponseError, frequency_lines};
@@ -19,6 +19,18 @@ pub struct Comparison {
     pub basic: Spectrum,
     pub enhanced_agreement: Agreement,
     pub basic_agreement: Agreement,
+}
+
+impl Comparison {
+    /// RMS of the difference between the finite element spectra of two designs, dB; nothing where their lines differ.
+    pub fn fe_rms_db(&self, other: &Self) -> Option<f64> {
+        if self.frequency_hz != other.frequency_hz || self.frequency_hz.is_empty() {
+            return None;
+        }
+        let differences = difference_db(&other.fe.mesh_force, &self.fe.mesh_force);
+        let mean_square = differences.iter().map(|d| d * d).sum::<f64>() / differences.len() as f64;
+        Some(mean_square.sqrt()).filter(|rms| rms.is_finite())
+    }
 }
 
 /// Why a design cannot be solved.

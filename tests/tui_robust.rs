@@ -6,22 +6,24 @@ mod tui_support;
 use std::path::Path;
 
 use bevelscope::comparison::{Comparison, SolveError};
-use bevelscope::design::Design;
+use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::rotor::RotorError;
+use bevelscope::tui::files::{FileDone, FileRequest};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
 use tui_support::{ASCII, MadeUp, Screen, UNICODE, design, not_solved};
 
 /// The states that are drawn at every size.
 fn screens() -> Vec<Screen> {
-    let mut screens: Vec<Screen> = ["", "jjj<Tab>", "?", "/e", "G"]
-        .into_iter()
-        .map(|keys| {
-            let mut screen = Screen::new(80, 24, UNICODE);
-            screen.keys(keys);
-            screen
-        })
-        .collect();
+    let mut screens: Vec<Screen> =
+        ["", "jjj<Tab>", "?", "/e", "G", ":", "?/e<Enter>nnn", "r", "D", "!", "mjc", "mjjjc", "mrx<Enter><Esc>!"]
+            .into_iter()
+            .map(|keys| {
+                let mut screen = Screen::new(80, 24, UNICODE);
+                screen.keys(keys);
+                screen
+            })
+            .collect();
     screens.push(Screen::new(80, 24, ASCII));
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
     screens
@@ -72,6 +74,20 @@ impl Backend for Hostile {
         Ok(LoadedDesign { design, warnings: vec![ESCAPES.into()] })
     }
 
+    fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {
+        Ok(vec![Difference {
+            path: KeyPath::root().key(ESCAPES),
+            label: ESCAPES.into(),
+            a: Some(ESCAPES.into()),
+            b: Some(ESCAPES.into()),
+            unit: "N/m",
+        }])
+    }
+
+    fn change_file(&self, _: &FileRequest) -> Result<FileDone, String> {
+        Err(ESCAPES.into())
+    }
+
     fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
         if design.name == "unsolvable" {
             Err(not_solved(RotorError::UnknownMaterial(ESCAPES.into())))
@@ -88,7 +104,28 @@ fn escape_sequences_never_reach_the_screen() {
         let mut screen = Screen::with(&stems, 120, 40, capabilities, Hostile);
         screen.app.shown_as = ESCAPES.into();
         screen.app.notice = Some(ESCAPES.into());
-        for keys in ["", "j", "<Tab>", "<Tab>j", "j", "/\x1b\u{7}"] {
+        screen.app.complain_at_length(ESCAPES, format!("{ESCAPES}\n{ESCAPES}"));
+        let scripts = [
+            "",
+            "j",
+            "<Tab>",
+            "<Tab>j",
+            "j",
+            "!",
+            "<Esc>r",
+            "\u{7}\u{9b}",
+            "<Enter>",
+            "<Esc>D",
+            "<Esc>Y<Enter>",
+            "<Esc>m",
+            "gc",
+            "<Esc>jc",
+            ":\u{1b}\u{202e}",
+            "<Esc><Esc>?/\x1b\u{7}",
+            "<Enter>n",
+            "<Esc><Esc><Esc>G/\x1b\u{7}",
+        ];
+        for keys in scripts {
             screen.keys(keys);
             for cell in screen.buffer().content() {
                 let harmful = |letter: char| {
@@ -107,7 +144,7 @@ fn ascii_means_no_byte_beyond_127() {
     let stems = ["傘歯車", "Überhang", "typo-é", "fine"];
     let mut screen = Screen::with(&stems, 80, 24, ASCII, MadeUp);
     screen.app.shown_as = "~/Entwürfe".into();
-    for keys in ["", "j", "j", "<Tab>", "?", "<Esc><Esc>/ü"] {
+    for keys in ["", "j", "j", "<Tab>", "?", "<Esc>:ü", "<Esc>gmjc", "<Esc>rü", "<Esc>D", "<Esc><Esc>/ü"] {
         let text = screen.keys(keys).text();
         assert!(text.is_ascii(), "{text}");
     }

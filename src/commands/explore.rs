@@ -1,12 +1,15 @@
 //! `bevelscope` without a subcommand: the terminal explorer.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::CommandError;
+use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, SolveError};
-use crate::design::{self, library};
+use crate::design::library::{Trashed, trashed};
+use crate::design::{self, Difference, library};
 use crate::text::printable;
+use crate::tui::files::{FileDone, FileRequest};
 use crate::tui::{self, Backend, BrokenDesign, LoadedDesign};
 
 #[derive(Debug, clap::Args)]
@@ -17,6 +20,8 @@ pub struct Args {
     /// Draw with ASCII characters only
     #[arg(long)]
     ascii: bool,
+    #[command(flatten)]
+    keys: KeysArg,
 }
 
 pub fn run(args: &Args) -> Result<(), CommandError> {
@@ -29,9 +34,10 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
         return Err(CommandError::Usage(no_such(missing)));
     }
     let shown_as: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
-    let options = tui::Options { ascii: args.ascii };
+    let (keys, keys_report) = args.keys.for_explorer()?;
+    let options = tui::Options { ascii: args.ascii, keys, keys_report };
     let files = library::files(&paths);
-    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths }))?)
+    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths) }))?)
 }
 
 /// The argument may be a mistyped command.
@@ -49,7 +55,53 @@ fn no_such(path: &Path) -> String {
 
 /// Designs from disk, solved here.
 struct Files {
-    paths: Vec<PathBuf>,
+    /// The folders and files of the library. A file that is named here follows its renaming.
+    paths: Mutex<Vec<PathBuf>>,
+}
+
+impl Files {
+    fn paths(&self) -> Vec<PathBuf> {
+        self.paths.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Brings the list of files in line with what was done; in folders it shows by itself.
+    fn follow(&self, done: &FileDone) {
+        let mut paths = self.paths.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = |paths: &[PathBuf], path: &Path| paths.iter().position(|other| other == path);
+        match done {
+            FileDone::Renamed { from, to } => {
+                if let Some(at) = place(&paths, from) {
+                    paths[at].clone_from(to);
+                }
+            }
+            FileDone::Duplicated { from, to } => {
+                if let Some(at) = place(&paths, from) {
+                    paths.insert(at + 1, to.clone());
+                }
+            }
+            FileDone::Deleted { path, .. } => paths.retain(|other| other != path),
+            FileDone::Restored { path } => {
+                let listed = paths.iter().any(|other| path == other || path.parent() == Some(other));
+                if !listed {
+                    paths.push(path.clone());
+                }
+            }
+        }
+    }
+
+    /// What was deleted last from the folders of the library.
+    fn deleted_last(&self) -> Option<Trashed> {
+        let mut folders: Vec<PathBuf> = Vec::new();
+        for path in self.paths() {
+            let folder = if path.is_dir() { path } else { path.parent().unwrap_or(Path::new("")).into() };
+            if !folders.contains(&folder) {
+                folders.push(folder);
+            }
+        }
+        // the first one of each folder is its latest
+        let latest = folders.iter().filter_map(|folder| trashed(folder).into_iter().next());
+        latest.max_by(|one, other| one.when.cmp(&other.when))
+    }
 }
 
 impl Backend for Files {
@@ -68,6 +120,32 @@ impl Backend for Files {
     }
 
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {
-        Some(Ok(library::files(&self.paths)))
+        Some(Ok(library::files(&self.paths())))
+    }
+
+    fn change_file(&self, request: &FileRequest) -> Result<FileDone, String> {
+        let done = match request {
+            FileRequest::Rename { path, name } => {
+                library::rename(path, name).map(|to| FileDone::Renamed { from: path.clone(), to })
+            }
+            FileRequest::Duplicate { path, name } => {
+                library::duplicate(path, name).map(|to| FileDone::Duplicated { from: path.clone(), to })
+            }
+            FileRequest::Delete { path } => {
+                library::delete(path).map(|trashed| FileDone::Deleted { path: path.clone(), trashed })
+            }
+            FileRequest::Restore(trashed) => {
+                let trashed = trashed.clone().or_else(|| self.deleted_last()).ok_or("nothing was deleted here")?;
+                library::restore(&trashed).map(|path| FileDone::Restored { path })
+            }
+        };
+        let done = done.map_err(|error| error.to_string())?;
+        self.follow(&done);
+        Ok(done)
+    }
+
+    fn differences(&self, a: &Path, b: &Path) -> Result<Vec<Difference>, String> {
+        let text = |path| design::load(path).map(|loaded| loaded.text).map_err(|error| error.to_string());
+        Ok(design::diff(&text(a)?, &text(b)?))
     }
 }

@@ -1,9 +1,11 @@
 //! The command line: one file a subcommand.
 
 mod check;
+mod compare;
 mod explore;
 mod input;
 mod inspect;
+mod keys;
 mod modes;
 mod solve;
 
@@ -42,6 +44,10 @@ enum Command {
     Check(check::Args),
     /// What was built: stations, totals, stiffness at the mesh, bending modes, effective masses, bearings
     Inspect(inspect::Args),
+    /// Where two designs differ, and how the models of both agree
+    Compare(compare::Args),
+    /// The keys of the explorer, with those of the user's file
+    Keys(keys::Args),
 }
 
 /// How a program that did its work ended.
@@ -111,6 +117,8 @@ impl Cli {
             Some(Command::Modes(args)) => modes::run(args, &mut out, &mut err)?,
             Some(Command::Check(args)) => check::run(args, &mut out)?,
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
+            Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
+            Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,
         };
         out.flush()?;
         Ok(status)

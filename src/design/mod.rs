@@ -36,6 +36,7 @@ pub use finding::{Finding, Severity};
 pub use key_path::{KeyPath, KeyPathError, Step};
 pub use load::{LoadError, Loaded, MAX_BYTES, load, load_from};
 pub use model::*;
+pub(crate) use read::did_you_mean;
 pub use read::{Reading, read};
 pub use render::{Position, Source};
 pub use rotor::*;

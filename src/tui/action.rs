@@ -1,20 +1,25 @@
-//! What the user can do: one table, from which the help and the hints in the footer are made.
+//! What the user can do: one table, from which the help, the palette, the hints in the footer and the names for remapping are
+//! made.
 
 /// Where the help lists an action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Category {
     Move,
     Find,
+    Designs,
+    Typing,
     Program,
 }
 
 impl Category {
-    pub const ALL: [Self; 3] = [Self::Move, Self::Find, Self::Program];
+    pub const ALL: [Self; 5] = [Self::Move, Self::Find, Self::Designs, Self::Typing, Self::Program];
 
     pub fn title(self) -> &'static str {
         match self {
             Self::Move => "Moving",
             Self::Find => "Finding",
+            Self::Designs => "Designs",
+            Self::Typing => "While something is typed",
             Self::Program => "Program",
         }
     }
@@ -67,16 +72,31 @@ actions! {
     First, "first", Move, "the first design or line";
     Last, "last", Move, "the last design or line";
     NextPane, "next-pane", Move, "to the error text and back to the designs", hint 2 "next pane";
-    Filter, "filter", Find, "only designs with these letters in a name", hint 3 "filter";
-    KeepFilter, "keep-filter", Find, "keep the filter and go back to the designs", hint 1 "keep filter";
+    Filter, "filter", Find, "only what has these letters in it", hint 3 "filter";
     NextMatch, "next-match", Find, "the next match; after the last the first", hint 4 "match";
     PreviousMatch, "previous-match", Find, "the match before", hint 4 "match";
-    DeleteCharacter, "delete-character", Find, "delete the last letter of the filter";
-    ClearText, "clear-text", Find, "delete all letters of the filter";
+    ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
+    Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
+    Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
+    Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
+    Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";
+    Delete, "delete", Designs, "move the design to the trash; asks first", hint 9 "delete";
+    RestoreDeleted, "restore-deleted", Designs, "bring back what was deleted last";
+    KeepFilter, "keep-filter", Typing, "keep the filter and go back", hint 1 "keep filter";
+    TextLeft, "text-left", Typing, "a letter to the left";
+    TextRight, "text-right", Typing, "a letter to the right";
+    TextStart, "text-start", Typing, "before the first letter";
+    TextEnd, "text-end", Typing, "after the last letter";
+    DeleteCharacter, "delete-character", Typing, "delete the letter before the cursor";
+    DeleteForward, "delete-forward", Typing, "delete the letter under the cursor";
+    ClearText, "clear-text", Typing, "delete all letters";
+    Accept, "accept", Program, "do what is asked or chosen", hint 0 "accept";
     Back, "back", Program, "one level back; never quits", hint 2 "back";
     Reread, "reread", Program, "read the folder and the designs again", hint 6 "reread";
     Redraw, "redraw", Program, "draw the whole screen again";
     Suspend, "suspend", Program, "suspend; fg in the shell comes back";
+    Palette, "palette", Program, "all actions by name", hint 5 "commands";
+    Messages, "messages", Program, "all messages in full, the latest first";
     Help, "help", Program, "this help", hint 5 "help";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
@@ -85,5 +105,10 @@ impl Action {
     /// The table's row of this action.
     pub fn about(self) -> Option<&'static About> {
         ACTIONS.iter().find(|about| about.action == self)
+    }
+
+    /// As in the table.
+    pub fn name(self) -> &'static str {
+        self.about().map_or("", |about| about.name)
     }
 }

@@ -3,12 +3,19 @@
 use std::path::PathBuf;
 
 use super::caps::Capabilities;
+use super::compare::CompareView;
+use super::files::Form;
+use super::help::HelpSearch;
 use super::keymap::Mode;
+use super::keys::Keys;
 use super::library::{Library, RowState};
 use super::message::Effect;
+use super::notice::{Messages, Notice};
+use super::palette::Palette;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
 use super::worker::{Job, Summary, Ticket};
+use crate::design::library::Trashed;
 
 #[derive(Debug)]
 pub struct App {
@@ -18,11 +25,20 @@ pub struct App {
     pub library: Library,
     pub detail: Detail,
     pub mode: Mode,
-    /// Where the help returns to.
-    pub mode_below_help: Mode,
+    /// The modes that the present one lies over, the lowest first.
+    pub below: Vec<Mode>,
+    pub keys: Keys,
     pub help_scroll: Scroll,
-    /// Why the library could not be listed again.
-    pub notice: Option<String>,
+    pub help_search: HelpSearch,
+    pub palette: Palette,
+    pub notice: Option<Notice>,
+    pub messages: Messages,
+    pub form: Option<Form>,
+    /// The file that the question is about.
+    pub to_delete: Option<PathBuf>,
+    /// Deleted since the start, the latest last.
+    pub(super) deleted: Vec<Trashed>,
+    pub compare: Option<CompareView>,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
 }
@@ -89,6 +105,12 @@ impl Scroll {
         self.top = self.top.saturating_add_signed(lines).min(self.last());
     }
 
+    /// Scrolls no further than needed for a line to be in sight.
+    pub fn show(&mut self, line: usize) {
+        let lowest = (line + 1).saturating_sub(self.height);
+        self.top = self.top.clamp(lowest.min(line), line).min(self.last());
+    }
+
     /// The last place that shows a full window.
     pub fn last(&self) -> usize {
         self.lines.saturating_sub(self.height)
@@ -121,9 +143,17 @@ impl App {
             library: Library::new(library),
             detail: Detail::default(),
             mode: Mode::Library,
-            mode_below_help: Mode::Library,
+            below: Vec::new(),
+            keys: Keys::default(),
             help_scroll: Scroll::default(),
+            help_search: HelpSearch::default(),
+            palette: Palette::default(),
             notice: None,
+            messages: Messages::default(),
+            form: None,
+            to_delete: None,
+            deleted: Vec::new(),
+            compare: None,
             tickets: Ticket::default(),
             view_moved: false,
         }

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::files::{FileDone, FileRequest};
 use crate::comparison::{Comparison, SolveError};
-use crate::design::Design;
+use crate::design::{Design, Difference};
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
 pub trait Backend: Send + Sync {
@@ -25,6 +26,26 @@ pub trait Backend: Send + Sync {
     /// of files.
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {
         None
+    }
+
+    /// Renames, copies, deletes or brings back a file.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in words; nothing has changed then.
+    fn change_file(&self, request: &FileRequest) -> Result<FileDone, String> {
+        let _ = request;
+        Err("the files of this library cannot be changed".into())
+    }
+
+    /// Where two design files differ.
+    ///
+    /// # Errors
+    ///
+    /// Which of them cannot be read, and why.
+    fn differences(&self, a: &Path, b: &Path) -> Result<Vec<Difference>, String> {
+        let _ = (a, b);
+        Err("the files of this library cannot be compared".into())
     }
 }
 

@@ -17,6 +17,8 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::Solve(job) => worker.solve(job),
             Effect::Fill(jobs) => worker.fill(jobs),
             Effect::List => worker.list(),
+            Effect::ChangeFile(request) => worker.change_file(request),
+            Effect::Compare(job) => worker.compare(job),
             Effect::Redraw => session.clear()?,
             Effect::Suspend => session.suspend()?,
             Effect::Quit(ending) => return Ok(Some(ending)),

@@ -1,6 +1,6 @@
 //! Which key does what: data, so that the help and the hints cannot differ from what happens.
 
-use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 
 use super::action::Action;
 
@@ -14,10 +14,54 @@ pub enum Mode {
     /// The filter is being typed.
     Filter,
     Help,
+    /// What the help is searched for is being typed.
+    HelpSearch,
+    /// An action's name is being typed.
+    Palette,
+    /// A file's name is being typed.
+    Name,
+    /// A question with yes or no.
+    Confirm,
+    /// All messages in full.
+    Messages,
+    /// Two designs beside one another.
+    Compare,
 }
 
 impl Mode {
-    pub const ALL: [Self; 4] = [Self::Library, Self::Text, Self::Filter, Self::Help];
+    pub const ALL: [Self; 10] = [
+        Self::Library,
+        Self::Text,
+        Self::Filter,
+        Self::Help,
+        Self::HelpSearch,
+        Self::Palette,
+        Self::Name,
+        Self::Confirm,
+        Self::Messages,
+        Self::Compare,
+    ];
+
+    /// Its table in the file of keys.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Library => "library",
+            Self::Text => "text",
+            Self::Filter => "filter",
+            Self::Help => "help",
+            Self::HelpSearch => "help-search",
+            Self::Palette => "palette",
+            Self::Name => "name",
+            Self::Confirm => "confirm",
+            Self::Messages => "messages",
+            Self::Compare => "compare",
+        }
+    }
+
+    /// Whether letters are text.
+    pub fn is_typing(self) -> bool {
+        TYPING.contains(&self)
+    }
 }
 
 /// One row of the keymap.
@@ -29,11 +73,36 @@ pub struct Binding {
     pub action: Action,
 }
 
-const LISTS: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
+const LISTS: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Messages, Mode::Compare];
 const PANES: &[Mode] = &[Mode::Library, Mode::Text];
-const FILTER: &[Mode] = &[Mode::Filter];
+/// Where there is something to move in.
+const MOVING: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Filter,
+    Mode::Help,
+    Mode::HelpSearch,
+    Mode::Palette,
+    Mode::Messages,
+    Mode::Compare,
+];
+const LIBRARY: &[Mode] = &[Mode::Library];
+const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name];
+/// Where a filter is typed, and what it filters.
+const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
+const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
+/// Where the cursor can stand within the text.
+const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name];
+/// What lies over the explorer and is closed.
+const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
+const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
+const CONFIRM: &[Mode] = &[Mode::Confirm];
+const COMMANDS: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
+
+/// Actions that have no key of their own, and where they can be used all the same.
+const WITHOUT_KEY: &[(Action, &[Mode])] = &[];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -49,124 +118,118 @@ const fn control(modes: &'static [Mode], letter: char, action: Action) -> Bindin
 
 /// The keymap. The first key of an action is the one that the hints show.
 pub const BINDINGS: &[Binding] = &[
-    key(ALL, KeyCode::Up, Action::MoveUp),
+    key(MOVING, KeyCode::Up, Action::MoveUp),
     letter(LISTS, 'k', Action::MoveUp),
-    key(ALL, KeyCode::Down, Action::MoveDown),
+    control(&[Mode::Palette], 'p', Action::MoveUp),
+    key(MOVING, KeyCode::Down, Action::MoveDown),
     letter(LISTS, 'j', Action::MoveDown),
-    key(ALL, KeyCode::PageUp, Action::PageUp),
-    control(ALL, 'b', Action::PageUp),
-    key(ALL, KeyCode::PageDown, Action::PageDown),
-    control(ALL, 'f', Action::PageDown),
+    control(&[Mode::Palette], 'n', Action::MoveDown),
+    key(MOVING, KeyCode::PageUp, Action::PageUp),
+    control(MOVING, 'b', Action::PageUp),
+    key(MOVING, KeyCode::PageDown, Action::PageDown),
+    control(MOVING, 'f', Action::PageDown),
     key(LISTS, KeyCode::Home, Action::First),
     letter(LISTS, 'g', Action::First),
     key(LISTS, KeyCode::End, Action::Last),
     letter(LISTS, 'G', Action::Last),
     key(PANES, KeyCode::Tab, Action::NextPane),
     key(PANES, KeyCode::BackTab, Action::NextPane),
-    key(&[Mode::Library], KeyCode::Right, Action::NextPane),
-    letter(&[Mode::Library], 'l', Action::NextPane),
-    letter(PANES, '/', Action::Filter),
-    key(FILTER, KeyCode::Enter, Action::KeepFilter),
-    letter(PANES, 'n', Action::NextMatch),
-    letter(PANES, 'N', Action::PreviousMatch),
-    key(FILTER, KeyCode::Backspace, Action::DeleteCharacter),
-    control(FILTER, 'h', Action::DeleteCharacter),
-    control(FILTER, 'u', Action::ClearText),
+    key(LIBRARY, KeyCode::Right, Action::NextPane),
+    letter(LIBRARY, 'l', Action::NextPane),
+    letter(FILTERED, '/', Action::Filter),
+    letter(FILTERED, 'n', Action::NextMatch),
+    letter(FILTERED, 'N', Action::PreviousMatch),
+    letter(LIBRARY, 't', Action::ToggleTree),
+    letter(PANES, 'm', Action::Mark),
+    letter(PANES, 'c', Action::Compare),
+    letter(PANES, 'r', Action::Rename),
+    letter(PANES, 'Y', Action::Duplicate),
+    letter(PANES, 'D', Action::Delete),
+    letter(PANES, 'u', Action::RestoreDeleted),
+    key(FILTERING, KeyCode::Enter, Action::KeepFilter),
+    key(FIELDS, KeyCode::Left, Action::TextLeft),
+    key(FIELDS, KeyCode::Right, Action::TextRight),
+    key(FIELDS, KeyCode::Home, Action::TextStart),
+    control(FIELDS, 'a', Action::TextStart),
+    key(FIELDS, KeyCode::End, Action::TextEnd),
+    control(FIELDS, 'e', Action::TextEnd),
+    key(TYPING, KeyCode::Backspace, Action::DeleteCharacter),
+    control(TYPING, 'h', Action::DeleteCharacter),
+    key(FIELDS, KeyCode::Delete, Action::DeleteForward),
+    control(TYPING, 'u', Action::ClearText),
+    key(ANSWERED, KeyCode::Enter, Action::Accept),
+    letter(CONFIRM, 'y', Action::Accept),
     key(ALL, KeyCode::Esc, Action::Back),
     key(&[Mode::Text], KeyCode::Left, Action::Back),
     letter(&[Mode::Text], 'h', Action::Back),
-    letter(HELP, 'q', Action::Back),
+    letter(VIEWS, 'q', Action::Back),
     letter(HELP, '?', Action::Back),
+    letter(CONFIRM, 'n', Action::Back),
     letter(PANES, 'R', Action::Reread),
     control(ALL, 'l', Action::Redraw),
     control(ALL, 'z', Action::Suspend),
+    letter(COMMANDS, ':', Action::Palette),
+    letter(PANES, '!', Action::Messages),
     letter(PANES, '?', Action::Help),
+    letter(&[Mode::Compare], '?', Action::Help),
     letter(PANES, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];
 
-/// What a key does in a mode, if anything.
-pub fn action(mode: Mode, event: KeyEvent) -> Option<Action> {
-    if event.modifiers.contains(KeyModifiers::ALT) {
-        return None;
-    }
-    let control = event.modifiers.contains(KeyModifiers::CONTROL);
-    BINDINGS
-        .iter()
-        .find(|binding| binding.modes.contains(&mode) && binding.code == event.code && binding.control == control)
-        .map(|binding| binding.action)
-}
-
-/// The keys of an action in a mode, as they are shown.
-pub fn keys(mode: Mode, action: Action, ascii: bool) -> Vec<String> {
-    BINDINGS
-        .iter()
-        .filter(|binding| binding.modes.contains(&mode) && binding.action == action)
-        .map(|binding| binding.shown(ascii))
-        .collect()
-}
-
-impl Binding {
-    /// The key's name, e.g. `Ctrl-c`.
-    pub fn shown(&self, ascii: bool) -> String {
-        let name = match self.code {
-            KeyCode::Up if ascii => "Up".to_owned(),
-            KeyCode::Up => "↑".to_owned(),
-            KeyCode::Down if ascii => "Down".to_owned(),
-            KeyCode::Down => "↓".to_owned(),
-            KeyCode::Right if ascii => "Right".to_owned(),
-            KeyCode::Right => "→".to_owned(),
-            KeyCode::Left if ascii => "Left".to_owned(),
-            KeyCode::Left => "←".to_owned(),
-            KeyCode::PageUp => "PgUp".to_owned(),
-            KeyCode::PageDown => "PgDn".to_owned(),
-            KeyCode::BackTab => "Shift-Tab".to_owned(),
-            KeyCode::Char(letter) => letter.to_string(),
-            code => format!("{code:?}"),
-        };
-        if self.control { format!("Ctrl-{name}") } else { name }
-    }
+/// Whether an action can be used in a mode.
+pub fn is_known(mode: Mode, action: Action) -> bool {
+    let here = |modes: &[Mode], other: Action| other == action && modes.contains(&mode);
+    BINDINGS.iter().any(|binding| here(binding.modes, binding.action))
+        || WITHOUT_KEY.iter().any(|(action, modes)| here(modes, *action))
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::action::ACTIONS;
+    use super::super::keys::Keys;
     use super::*;
+    use ratatui::crossterm::event::KeyEvent;
 
     #[test]
-    fn every_action_is_named_documented_and_has_a_key() {
+    fn every_action_is_named_documented_and_reached() {
         for about in ACTIONS {
             assert!(!about.name.is_empty() && !about.doc.is_empty(), "{about:?}");
             assert!(about.name.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-'), "{about:?}");
             assert_eq!(ACTIONS.iter().filter(|other| other.name == about.name).count(), 1, "{about:?}");
-            let reached = Mode::ALL.iter().any(|&mode| !keys(mode, about.action, false).is_empty());
-            assert!(reached, "no key for {}", about.name);
-        }
-    }
-
-    #[test]
-    fn no_key_has_two_meanings_in_a_mode() {
-        for mode in Mode::ALL {
-            let here: Vec<_> = BINDINGS.iter().filter(|binding| binding.modes.contains(&mode)).collect();
-            for (at, binding) in here.iter().enumerate() {
-                let twice =
-                    here[..at].iter().any(|other| other.code == binding.code && other.control == binding.control);
-                assert!(!twice, "{mode:?} {binding:?}");
+            assert!(!["none", "all"].contains(&about.name), "{about:?}");
+            let modes: Vec<Mode> = Mode::ALL.into_iter().filter(|mode| is_known(*mode, about.action)).collect();
+            assert!(!modes.is_empty(), "{} can be used nowhere", about.name);
+            // what has no key is in the palette, which must be there
+            for mode in modes {
+                let has_key = !Keys::default().of(mode, about.action, false).is_empty();
+                assert!(has_key || is_known(mode, Action::Palette), "no way to {} in {mode:?}", about.name);
             }
         }
     }
 
     #[test]
-    fn letters_are_text_while_the_filter_is_typed() {
-        for letter in ' '..='~' {
-            assert_eq!(action(Mode::Filter, KeyEvent::from(KeyCode::Char(letter))), None, "{letter}");
+    fn no_key_has_two_meanings_in_a_mode() {
+        let keys = Keys::default();
+        for (at, bound) in keys.bound().iter().enumerate() {
+            let twice = keys.bound()[..at].iter().any(|other| other.mode == bound.mode && other.key == bound.key);
+            assert!(!twice, "{bound:?}");
         }
     }
 
     #[test]
-    fn escape_never_quits() {
+    fn letters_are_text_while_something_is_typed() {
+        for mode in Mode::ALL.into_iter().filter(|mode| mode.is_typing()) {
+            for letter in ' '..='~' {
+                assert_eq!(Keys::default().action(mode, KeyEvent::from(KeyCode::Char(letter))), None, "{letter}");
+            }
+        }
+    }
+
+    #[test]
+    fn escape_never_quits_and_there_is_always_a_way_out() {
         for mode in Mode::ALL {
-            assert_eq!(action(mode, KeyEvent::from(KeyCode::Esc)), Some(Action::Back));
+            assert_eq!(Keys::default().action(mode, KeyEvent::from(KeyCode::Esc)), Some(Action::Back));
+            assert!(!Keys::default().of(mode, Action::Quit, true).is_empty(), "{mode:?}");
         }
     }
 }

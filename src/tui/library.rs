@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::backend::{BrokenDesign, LoadedDesign};
 use super::worker::{Summary, Ticket};
+use crate::design::library::tree;
 use crate::text::printable;
 
 /// One design file.
@@ -34,7 +35,7 @@ pub enum RowState {
 }
 
 impl Row {
-    fn new(path: PathBuf) -> Self {
+    pub(super) fn new(path: PathBuf) -> Self {
         let stem = path.file_stem().map_or_else(|| path.to_string_lossy(), |stem| stem.to_string_lossy());
         let stem = printable(&stem).into_owned();
         Self { path, stem, loaded: None, state: RowState::Pending, ticket: Ticket::default(), stale: false }
@@ -44,6 +45,15 @@ impl Row {
     pub fn name(&self) -> String {
         let name = self.loaded.as_ref().map(|loaded| printable(loaded.design.name.trim()).into_owned());
         name.filter(|name| !name.is_empty()).unwrap_or_else(|| self.stem.clone())
+    }
+
+    /// The file's name as it is, without `.toml`: what a variant names as its parent.
+    fn raw_stem(&self) -> String {
+        self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    fn parent(&self) -> Option<&str> {
+        self.loaded.as_ref().and_then(|loaded| loaded.design.parent.as_deref())
     }
 
     fn matches(&self, filter: &str) -> bool {
@@ -56,11 +66,28 @@ impl Row {
     }
 }
 
+/// A row in the list.
+#[derive(Debug, Clone, Copy)]
+pub struct Visible<'a> {
+    pub row: &'a Row,
+    pub selected: bool,
+    /// Others are compared with this one.
+    pub marked: bool,
+    /// How far below the design that it came from; 0 for those at the top.
+    pub depth: usize,
+}
+
 #[derive(Debug, Clone, Default)]
 pub struct Library {
     rows: Vec<Row>,
-    /// Indices of the rows that match the filter.
-    shown: Vec<usize>,
+    /// The rows that match the filter, as they are listed: index and depth.
+    shown: Vec<(usize, usize)>,
+    /// All in one list, without regard to parents.
+    flat: bool,
+    /// The design that others are compared with.
+    marked: Option<PathBuf>,
+    /// To be selected as soon as it is there.
+    wanted: Option<PathBuf>,
     /// Place of the selection in `shown`.
     cursor: usize,
     filter: String,
@@ -72,7 +99,7 @@ pub struct Library {
 impl Library {
     pub fn new(paths: Vec<PathBuf>) -> Self {
         let rows: Vec<Row> = paths.into_iter().map(Row::new).collect();
-        Self { shown: (0..rows.len()).collect(), rows, ..Self::default() }
+        Self { shown: (0..rows.len()).map(|at| (at, 0)).collect(), rows, ..Self::default() }
     }
 
     pub fn len(&self) -> usize {
@@ -97,7 +124,7 @@ impl Library {
     }
 
     pub fn selected(&self) -> Option<&Row> {
-        self.shown.get(self.cursor).and_then(|&at| self.rows.get(at))
+        self.shown.get(self.cursor).and_then(|&(at, _)| self.rows.get(at))
     }
 
     pub fn row_mut(&mut self, path: &Path) -> Option<&mut Row> {
@@ -135,25 +162,99 @@ impl Library {
         self.refilter();
     }
 
-    /// Matches the rows anew: a design's name may match where its file's does not.
-    pub fn names_changed(&mut self) {
-        if !self.filter.is_empty() {
+    /// The row of a file.
+    pub fn row(&self, path: &Path) -> Option<&Row> {
+        self.rows.iter().find(|row| row.path == path)
+    }
+
+    /// The row that the design of `row` came from.
+    pub fn parent(&self, row: &Row) -> Option<&Row> {
+        let parent = row.parent()?;
+        self.rows.iter().find(|other| {
+            other.path != row.path && other.path.parent() == row.path.parent() && other.raw_stem() == parent
+        })
+    }
+
+    /// How many designs name this one as the one that they came from.
+    pub fn variants(&self, row: &Row) -> usize {
+        self.rows.iter().filter(|other| self.parent(other).is_some_and(|parent| parent.path == row.path)).count()
+    }
+
+    /// Whether variants stand below the design that they came from.
+    pub fn is_tree(&self) -> bool {
+        !self.flat
+    }
+
+    pub fn toggle_tree(&mut self) {
+        self.flat = !self.flat;
+        self.refilter();
+    }
+
+    pub fn marked(&self) -> Option<&Row> {
+        self.marked.as_ref().and_then(|path| self.row(path))
+    }
+
+    pub fn mark(&mut self, path: Option<PathBuf>) {
+        self.marked = path;
+    }
+
+    /// Selects a file as soon as it is in the list.
+    pub fn want(&mut self, path: PathBuf) {
+        self.wanted = Some(path);
+    }
+
+    /// A file has another name now; what is known of it is kept.
+    pub fn moved(&mut self, from: &Path, to: &Path) {
+        if self.marked.as_deref() == Some(from) {
+            self.marked = Some(to.into());
+        }
+        if self.row(to).is_none()
+            && let Some(row) = self.row_mut(from)
+        {
+            *row = Row { path: to.into(), stem: Row::new(to.into()).stem, ..row.clone() };
+        }
+    }
+
+    /// Matches and orders the rows anew: a design's name may match where its file's does not, and it names its parent.
+    pub fn names_changed(&mut self, parents: bool) {
+        if !self.filter.is_empty() || (parents && !self.flat) {
             self.refilter();
         }
     }
 
     fn refilter(&mut self) {
-        let selected = self.shown.get(self.cursor).copied();
+        let selected = self.shown.get(self.cursor).map(|&(at, _)| at);
         let filter = self.filter.to_lowercase();
-        self.shown = (0..self.rows.len()).filter(|&at| self.rows[at].matches(&filter)).collect();
+        let all: Vec<usize> = (0..self.rows.len()).collect();
+        let matching: Vec<usize> = all.iter().copied().filter(|&at| self.rows[at].matches(&filter)).collect();
+        self.shown = self.ordered(&matching);
+        let place = |at: usize| self.shown.iter().position(|&(shown, _)| shown == at);
         // the next one after the design that was selected, if that one is gone
-        let place = selected.map_or(0, |selected| self.shown.partition_point(|&at| at < selected));
-        self.cursor = place.min(self.shown.len().saturating_sub(1));
+        let cursor = selected.and_then(|selected| {
+            place(selected).or_else(|| {
+                let order = self.ordered(&all);
+                order.iter().map(|&(at, _)| at).skip_while(|&at| at != selected).find_map(place)
+            })
+        });
+        let last = self.shown.len().saturating_sub(1);
+        self.cursor = cursor.unwrap_or(if selected.is_some() { last } else { 0 }).min(last);
+    }
+
+    /// These rows as they are listed.
+    fn ordered(&self, rows: &[usize]) -> Vec<(usize, usize)> {
+        if self.flat || rows.iter().all(|&at| self.rows[at].parent().is_none()) {
+            return rows.iter().map(|&at| (at, 0)).collect();
+        }
+        let stems: Vec<String> = rows.iter().map(|&at| self.rows[at].raw_stem()).collect();
+        let files: Vec<(&str, Option<&str>)> =
+            stems.iter().zip(rows).map(|(stem, &at)| (stem.as_str(), self.rows[at].parent())).collect();
+        tree(&files).into_iter().filter_map(|branch| Some((*rows.get(branch.index)?, branch.depth))).collect()
     }
 
     /// Takes over a new list of files. What is known of a file that is still there is kept until it is read again.
     pub fn replace(&mut self, paths: Vec<PathBuf>) {
         let selected = self.selected().map(|row| row.path.clone());
+        let wanted = self.wanted.take_if(|wanted| paths.contains(wanted));
         let place = self.cursor;
         let mut old = std::mem::take(&mut self.rows);
         self.rows = paths
@@ -165,7 +266,8 @@ impl Library {
             .collect();
         self.shown.clear();
         self.refilter();
-        let kept = self.shown.iter().position(|&at| Some(&self.rows[at].path) == selected.as_ref());
+        let find = |path: &Path| self.shown.iter().position(|&(at, _)| self.rows[at].path == path);
+        let kept = wanted.as_deref().and_then(find).or_else(|| selected.as_deref().and_then(find));
         self.cursor = kept.unwrap_or(place).min(self.shown.len().saturating_sub(1));
     }
 
@@ -180,9 +282,14 @@ impl Library {
     /// The files that are still to be read or solved: the visible ones first, then downwards and from the top again.
     pub fn waiting(&self) -> Vec<PathBuf> {
         let visible = self.scroll.min(self.shown.len());
-        let hidden = (0..self.rows.len()).filter(|at| self.shown.binary_search(at).is_err());
-        let order = self.shown[visible..].iter().chain(&self.shown[..visible]).copied().chain(hidden);
-        order.map(|at| &self.rows[at]).filter(|row| row.waits()).map(|row| row.path.clone()).collect()
+        let mut hidden = vec![true; self.rows.len()];
+        for &(at, _) in &self.shown {
+            hidden[at] = false;
+        }
+        let hidden = (0..self.rows.len()).filter(|&at| hidden[at]);
+        let shown = self.shown[visible..].iter().chain(&self.shown[..visible]).map(|&(at, _)| at);
+        let order = shown.chain(hidden).map(|at| &self.rows[at]);
+        order.filter(|row| row.waits()).map(|row| row.path.clone()).collect()
     }
 
     /// Scrolls so that the selection is in sight of a list `height` rows high. Says whether the view has moved.
@@ -195,10 +302,15 @@ impl Library {
         before != (self.scroll, self.height)
     }
 
-    /// The visible rows, and whether each is selected.
-    pub fn visible(&self) -> impl Iterator<Item = (&Row, bool)> {
+    /// The visible rows.
+    pub fn visible(&self) -> impl Iterator<Item = Visible<'_>> {
         let places = self.scroll..(self.scroll + self.height).min(self.shown.len());
-        places.map(|place| (&self.rows[self.shown[place]], place == self.cursor))
+        places.map(|place| {
+            let (at, depth) = self.shown[place];
+            let row = &self.rows[at];
+            let marked = self.marked.as_ref() == Some(&row.path);
+            Visible { row, selected: place == self.cursor, marked, depth }
+        })
     }
 }
 
@@ -223,7 +335,7 @@ mod tests {
             library.scroll_into_view(height);
             let visible: Vec<_> = library.visible().collect();
             assert_eq!(visible.len(), height.min(30));
-            assert!(height == 0 || visible.iter().any(|(_, selected)| *selected));
+            assert!(height == 0 || visible.iter().any(|visible| visible.selected));
         }
     }
 

@@ -6,6 +6,8 @@ use std::sync::Arc;
 use ratatui::crossterm::event::KeyEvent;
 
 use super::backend::{BrokenDesign, LoadedDesign};
+use super::compare::{CompareJob, Compared};
+use super::files::{FileDone, FileRequest};
 use super::worker::{Job, Solved, Ticket};
 
 /// Everything that can change the state comes as one of these.
@@ -29,6 +31,16 @@ pub enum Message {
     },
     /// The library's files, or why they cannot be listed.
     Listed(Result<Vec<PathBuf>, String>),
+    /// What became of a change of a file.
+    FileChanged {
+        request: FileRequest,
+        result: Result<FileDone, String>,
+    },
+    /// Two designs were compared.
+    Compared {
+        ticket: Ticket,
+        result: Box<Compared>,
+    },
     /// The system asks the program to end.
     Signal(i32),
     /// The terminal is gone.
@@ -44,6 +56,10 @@ pub enum Effect {
     Fill(Vec<Job>),
     /// List the library's files again.
     List,
+    /// Rename, copy, delete or bring back a file.
+    ChangeFile(FileRequest),
+    /// Compare two designs.
+    Compare(CompareJob),
     /// Draw all of the screen, whatever the terminal shows.
     Redraw,
     Suspend,

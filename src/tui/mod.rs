@@ -21,16 +21,25 @@ pub mod app;
 pub mod axis;
 pub mod backend;
 pub mod caps;
+pub mod compare;
 pub mod effects;
+pub mod files;
+pub mod fuzzy;
+pub mod help;
 mod input;
 pub mod keymap;
+pub mod keys;
+mod layers;
 pub mod library;
 pub mod message;
+pub mod notice;
 pub mod overlays;
+pub mod palette;
 pub mod screens;
 mod signals;
 pub mod terminal;
 pub mod text;
+pub mod text_field;
 pub mod theme;
 pub mod traces;
 pub mod update;
@@ -42,15 +51,19 @@ pub use backend::{Backend, BrokenDesign, LoadedDesign};
 
 use app::App;
 use caps::Capabilities;
+use keys::Keys;
 use message::{Ending, Message};
 use terminal::Session;
 use worker::Worker;
 
 /// What the command line asks of the explorer.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Options {
     /// Draw with ASCII only.
     pub ascii: bool,
+    pub keys: Keys,
+    /// What is wrong with the user's keys, a few words and in full.
+    pub keys_report: Option<(String, String)>,
 }
 
 /// Why the explorer did not end by the user's wish.
@@ -99,6 +112,10 @@ pub fn run(
     }
     let capabilities = Capabilities::detect(options.ascii, |name| std::env::var(name).ok());
     let mut app = App::new(library, shown_as, capabilities);
+    app.keys = options.keys;
+    if let Some((short, full)) = options.keys_report {
+        app.complain_at_length(short, full);
+    }
     let (sender, receiver) = mpsc::channel();
     // before the terminal is taken over: a signal that comes in between is not lost
     signals::watch(sender.clone())?;

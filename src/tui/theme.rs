@@ -39,6 +39,10 @@ pub struct Glyphs {
     pub plus_minus: &'static str,
     pub selected: &'static str,
     pub broken: &'static str,
+    /// The design that others are compared with.
+    pub marked: &'static str,
+    /// Before a variant, below its parent.
+    pub branch: &'static str,
     pub bearing: char,
     pub rigid_bearing: char,
     pub mesh: char,
@@ -69,6 +73,8 @@ static UNICODE: Glyphs = Glyphs {
     plus_minus: "±",
     selected: "▌",
     broken: "×",
+    marked: "◆",
+    branch: "└ ",
     bearing: '△',
     rigid_bearing: '▲',
     mesh: '×',
@@ -96,6 +102,8 @@ static ASCII: Glyphs = Glyphs {
     plus_minus: "+/-",
     selected: ">",
     broken: "x",
+    marked: "@",
+    branch: "`-",
     bearing: '^',
     rigid_bearing: 'A',
     mesh: 'x',

@@ -51,9 +51,6 @@ pub struct Columns {
 impl Traces {
     /// Levels and differences of a comparison.
     pub fn new(comparison: &Comparison, analysis: &Analysis) -> Self {
-        let levels = |force: &[Complex64]| -> Vec<f64> {
-            force.iter().map(|value| (20.0 * value.norm().log10()).max(FLOOR_DB)).collect()
-        };
         let fe = levels(&comparison.fe.mesh_force);
         let enhanced = levels(&comparison.enhanced.mesh_force);
         let basic = levels(&comparison.basic.mesh_force);
@@ -88,8 +85,13 @@ impl Traces {
     }
 }
 
+/// Levels of forces, dB re 1 N.
+pub fn levels(force: &[Complex64]) -> Vec<f64> {
+    force.iter().map(|value| (20.0 * value.norm().log10()).max(FLOOR_DB)).collect()
+}
+
 /// A range of levels that begins and ends on tens and does not follow an antiresonance into the ground.
-fn range(curves: &[&[f64]]) -> (f64, f64) {
+pub fn range(curves: &[&[f64]]) -> (f64, f64) {
     let values = || curves.iter().flat_map(|curve| curve.iter().copied()).filter(|value| value.is_finite());
     let high = values().fold(f64::NEG_INFINITY, f64::max);
     let low = values().fold(f64::INFINITY, f64::min);

@@ -1,14 +1,20 @@
 //! A message changes the state and says what is to be done.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use super::action::Action;
 use super::app::{App, BROKEN, Outcome, Picture, UNSOLVABLE};
-use super::keymap::{self, Mode};
+use super::backend::LoadedDesign;
+use super::files::Purpose;
+use super::help::HelpSearch;
+use super::keymap::Mode;
 use super::library::RowState;
 use super::message::{Effect, Ending, Message};
+use super::notice::NoticeKind;
+use super::text_field::TextField;
 use super::worker::{Solved, Ticket};
 
 impl App {
@@ -21,6 +27,9 @@ impl App {
             Message::Loaded { ticket, path, result } => {
                 if let Some(row) = self.library.row_mut(&path).filter(|row| ticket >= row.ticket) {
                     row.ticket = ticket;
+                    let parent = |loaded: &Arc<LoadedDesign>| loaded.design.parent.clone();
+                    let before = row.loaded.as_ref().and_then(parent);
+                    let moves = before != result.as_ref().ok().and_then(parent);
                     match &result {
                         Ok(loaded) => {
                             row.loaded = Some(loaded.clone());
@@ -35,7 +44,7 @@ impl App {
                             row.state = RowState::Broken(broken.clone());
                         }
                     }
-                    self.library.names_changed();
+                    self.library.names_changed(moves);
                 }
                 if let Err(broken) = result
                     && self.awaits(ticket, &path)
@@ -49,14 +58,19 @@ impl App {
                 Vec::new()
             }
             Message::Listed(Ok(paths)) => {
-                self.notice = None;
+                self.notice.take_if(|notice| notice.kind == NoticeKind::NotListed);
                 self.library.replace(paths);
                 let mut effects = self.follow_selection();
                 effects.extend(self.fill());
                 effects
             }
             Message::Listed(Err(error)) => {
-                self.notice = Some(error);
+                self.notify(error, NoticeKind::NotListed);
+                Vec::new()
+            }
+            Message::FileChanged { request, result } => self.file_done(request, result),
+            Message::Compared { ticket, result } => {
+                self.compared(ticket, *result);
                 Vec::new()
             }
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
@@ -103,27 +117,42 @@ impl App {
         if event.kind == KeyEventKind::Release {
             return Vec::new();
         }
-        if let Some(action) = keymap::action(self.mode, event) {
+        self.clear_notice();
+        if let Some(action) = self.keys.action(self.mode, event) {
             return self.act(action);
         }
         match event.code {
-            KeyCode::Char(letter)
-                if self.mode == Mode::Filter
-                    && !event.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT) =>
-            {
-                self.edit_filter(|filter| filter.push(letter))
+            KeyCode::Char(letter) if !event.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT) => {
+                self.type_text(letter.encode_utf8(&mut [0; 4]))
             }
             _ => Vec::new(),
         }
     }
 
+    /// Letters, where something is typed.
+    fn type_text(&mut self, text: &str) -> Vec<Effect> {
+        if self.mode == Mode::Filter {
+            self.edit_filter(|filter| filter.push_str(text))
+        } else {
+            self.edit(|field| field.insert(text))
+        }
+    }
+
+    /// Changes what is being typed.
+    fn edit(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
+        match self.mode {
+            Mode::HelpSearch => self.edit_help_search(edit),
+            Mode::Palette => self.edit_palette(edit),
+            Mode::Name => self.edit_form(edit),
+            _ => {}
+        }
+        Vec::new()
+    }
+
     /// Text from the clipboard is text and never keys: a `q` in it does not quit.
     fn paste(&mut self, text: &str) -> Vec<Effect> {
-        if self.mode != Mode::Filter {
-            return Vec::new();
-        }
         let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
-        self.edit_filter(|filter| filter.push_str(&line))
+        self.type_text(&line)
     }
 
     fn edit_filter(&mut self, edit: impl FnOnce(&mut String)) -> Vec<Effect> {
@@ -133,7 +162,7 @@ impl App {
         self.follow_selection()
     }
 
-    fn act(&mut self, action: Action) -> Vec<Effect> {
+    pub(super) fn act(&mut self, action: Action) -> Vec<Effect> {
         match action {
             Action::MoveUp => self.move_by(-1),
             Action::MoveDown => self.move_by(1),
@@ -145,18 +174,76 @@ impl App {
                 self.mode = if self.mode == Mode::Library && self.has_text() { Mode::Text } else { Mode::Library };
                 Vec::new()
             }
+            Action::Filter if self.mode == Mode::Help => {
+                self.open_help_search();
+                Vec::new()
+            }
             Action::Filter => {
                 self.mode = Mode::Filter;
+                Vec::new()
+            }
+            Action::KeepFilter if self.mode == Mode::HelpSearch => {
+                self.close();
                 Vec::new()
             }
             Action::KeepFilter => {
                 self.mode = Mode::Library;
                 Vec::new()
             }
+            Action::NextMatch | Action::PreviousMatch if self.mode == Mode::Help => {
+                self.help_search.cycle(if action == Action::NextMatch { 1 } else { -1 });
+                Vec::new()
+            }
             Action::NextMatch => self.next_match(1),
             Action::PreviousMatch => self.next_match(-1),
-            Action::DeleteCharacter => self.edit_filter(|filter| filter.truncate(filter.len() - last_letter(filter))),
-            Action::ClearText => self.edit_filter(String::clear),
+            Action::DeleteCharacter if self.mode == Mode::Filter => {
+                self.edit_filter(|filter| filter.truncate(filter.len() - last_letter(filter)))
+            }
+            Action::DeleteCharacter => self.edit(TextField::delete_before),
+            Action::DeleteForward => self.edit(TextField::delete_after),
+            Action::ClearText if self.mode == Mode::Filter => self.edit_filter(String::clear),
+            Action::ClearText => self.edit(TextField::clear),
+            Action::TextLeft => self.edit(TextField::left),
+            Action::TextRight => self.edit(TextField::right),
+            Action::TextStart => self.edit(TextField::start),
+            Action::TextEnd => self.edit(TextField::end),
+            Action::ToggleTree => {
+                self.library.toggle_tree();
+                self.say(if self.library.is_tree() { "variants below their parents" } else { "all designs by name" });
+                self.follow_selection()
+            }
+            Action::Mark => {
+                self.toggle_mark();
+                Vec::new()
+            }
+            Action::Compare => self.open_compare(),
+            Action::Rename => {
+                self.open_form(Purpose::Rename);
+                Vec::new()
+            }
+            Action::Duplicate => {
+                self.open_form(Purpose::Duplicate);
+                Vec::new()
+            }
+            Action::Delete => {
+                self.ask_to_delete();
+                Vec::new()
+            }
+            Action::RestoreDeleted => self.restore_deleted(),
+            Action::Accept => match self.mode {
+                Mode::Palette => self.run_chosen(),
+                Mode::Name => self.accept_form(),
+                Mode::Confirm => self.delete_confirmed(),
+                _ => Vec::new(),
+            },
+            Action::Palette => {
+                self.open_palette();
+                Vec::new()
+            }
+            Action::Messages => {
+                self.open_messages();
+                Vec::new()
+            }
             Action::Back => self.back(),
             Action::Reread => {
                 let ticket = self.ticket();
@@ -169,9 +256,7 @@ impl App {
             Action::Redraw => vec![Effect::Redraw],
             Action::Suspend => vec![Effect::Suspend],
             Action::Help => {
-                self.mode_below_help = self.mode;
-                self.mode = Mode::Help;
-                self.help_scroll.top = 0;
+                self.open_help();
                 Vec::new()
             }
             Action::Quit => vec![Effect::Quit(Ending::Quit)],
@@ -182,7 +267,11 @@ impl App {
         match self.mode {
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
-            Mode::Help => self.help_scroll.page(),
+            Mode::Help | Mode::HelpSearch => self.help_scroll.page(),
+            Mode::Palette => self.palette.height.saturating_sub(1).max(1).cast_signed(),
+            Mode::Messages => self.messages.scroll.page(),
+            Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
+            Mode::Name | Mode::Confirm => 1,
         }
     }
 
@@ -193,7 +282,15 @@ impl App {
                 return self.follow_selection();
             }
             Mode::Text => self.detail.text_scroll.by(by),
-            Mode::Help => self.help_scroll.by(by),
+            Mode::Help | Mode::HelpSearch => self.help_scroll.by(by),
+            Mode::Palette => self.move_in_palette(by),
+            Mode::Messages => self.messages.scroll.by(by),
+            Mode::Compare => {
+                if let Some(view) = &mut self.compare {
+                    view.scroll.by(by);
+                }
+            }
+            Mode::Name | Mode::Confirm => {}
         }
         Vec::new()
     }
@@ -208,11 +305,21 @@ impl App {
 
     fn back(&mut self) -> Vec<Effect> {
         match self.mode {
-            Mode::Help => {
-                // the text may have gone while the help lay over it
-                let to_text = self.mode_below_help == Mode::Text && self.has_text();
-                self.mode = if to_text { Mode::Text } else { Mode::Library };
+            Mode::HelpSearch => {
+                self.help_search = HelpSearch::default();
+                self.close();
             }
+            // what is searched for goes first, as in the list of designs
+            Mode::Help if !self.help_search.is_empty() => self.help_search = HelpSearch::default(),
+            Mode::Name => {
+                self.form = None;
+                self.close();
+            }
+            Mode::Compare => {
+                self.compare = None;
+                self.close();
+            }
+            Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {
                 self.mode = Mode::Library;

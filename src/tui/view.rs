@@ -4,12 +4,31 @@ use ratatui::Frame;
 use ratatui::buffer::Buffer;
 
 use super::app::App;
-use super::screens::explorer;
+use super::keymap::Mode;
+use super::overlays;
+use super::screens::{body, compare, explorer, fits, render_too_small};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
-    explorer::render(app, frame);
+    render(app, frame);
     sanitize(frame.buffer_mut(), app.theme.glyphs.ascii);
+}
+
+/// The screen of the lowest layer, and the windows over it.
+fn render(app: &mut App, frame: &mut Frame) {
+    let area = frame.area();
+    if !fits(area) {
+        return render_too_small(app, area, frame.buffer_mut());
+    }
+    let cursor = if app.layers().any(|mode| mode == Mode::Compare) {
+        compare::render(app, frame)
+    } else {
+        explorer::render(app, frame)
+    };
+    let cursor = overlays::render(app, body(area), frame.buffer_mut()).or(cursor);
+    if let Some(cursor) = cursor {
+        frame.set_cursor_position(cursor);
+    }
 }
 
 /// The last line of defence: whatever a widget let through, no control character reaches the terminal, and with ASCII

@@ -1,7 +1,8 @@
 //! Work in the background: reading and solving designs while keys are answered.
 //!
-//! Two threads, so that the design under the cursor never waits behind the library: one has a single slot, in which the
-//! latest selection replaces what was still waiting; the other fills in the rows of the library.
+//! A thread for each kind of work, so that the design under the cursor never waits behind the library, nor a file behind
+//! a solution: the selected design and two designs to be compared have a single slot each, in which the latest request replaces
+//! what was still waiting; changes of files are done in their order; the last one fills in the rows of the library.
 
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,6 +13,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::backend::{Backend, BrokenDesign, LoadedDesign};
+use super::compare::CompareJob;
+use super::files::FileRequest;
 use super::message::Message;
 use super::traces::Traces;
 use crate::agreement::Agreement;
@@ -67,6 +70,13 @@ pub fn perform(job: &Job, backend: &dyn Backend, report: &mut dyn FnMut(Message)
     report(Message::Solved { ticket, path, result });
 }
 
+/// Changes a file and says what became of it.
+pub fn change_file(request: FileRequest, backend: &dyn Backend) -> Message {
+    let result = guarded(|| backend.change_file(&request));
+    let result = result.unwrap_or_else(|panic| Err(format!("failed unexpectedly: {panic}")));
+    Message::FileChanged { request, result }
+}
+
 fn solve(loaded: &LoadedDesign, backend: &dyn Backend, with_traces: bool) -> Result<Solved, String> {
     let started = Instant::now();
     let comparison = backend.compare(&loaded.design).map_err(|error| error.to_string())?;
@@ -82,7 +92,7 @@ fn solve(loaded: &LoadedDesign, backend: &dyn Backend, with_traces: bool) -> Res
     Ok(Solved { summary, traces })
 }
 
-fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
         let text = payload.downcast_ref::<String>().cloned();
         text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_else(|| "no message".into())
@@ -106,12 +116,16 @@ struct Queues {
     selected: Option<Job>,
     rows: VecDeque<Job>,
     list: bool,
+    changes: VecDeque<FileRequest>,
+    compare: Option<CompareJob>,
     closed: bool,
 }
 
 enum Task {
     Solve(Job),
     List,
+    ChangeFile(FileRequest),
+    Compare(Box<CompareJob>),
 }
 
 impl Shared {
@@ -144,6 +158,12 @@ impl Worker {
     pub fn start(backend: Arc<dyn Backend>, sender: &Sender<Message>) -> std::io::Result<Self> {
         let worker = Self { shared: Arc::default() };
         worker.spawn("selected", Arc::clone(&backend), sender, |queues| queues.selected.take().map(Task::Solve))?;
+        worker.spawn("changes", Arc::clone(&backend), sender, |queues| {
+            queues.changes.pop_front().map(Task::ChangeFile)
+        })?;
+        worker.spawn("compare", Arc::clone(&backend), sender, |queues| {
+            queues.compare.take().map(|job| Task::Compare(Box::new(job)))
+        })?;
         worker.spawn("library", backend, sender, |queues| {
             if std::mem::take(&mut queues.list) { Some(Task::List) } else { queues.rows.pop_front().map(Task::Solve) }
         })?;
@@ -164,6 +184,11 @@ impl Worker {
             while let Some(task) = shared.next(&take) {
                 match task {
                     Task::Solve(job) => perform(&job, &*backend, &mut report),
+                    Task::ChangeFile(request) => report(change_file(request, &*backend)),
+                    Task::Compare(job) => {
+                        let result = Box::new(super::compare::perform(&job, &*backend));
+                        report(Message::Compared { ticket: job.ticket, result });
+                    }
                     Task::List => {
                         if let Some(listed) = guarded(|| backend.list()).unwrap_or_else(|panic| Some(Err(panic))) {
                             report(Message::Listed(listed));
@@ -184,6 +209,18 @@ impl Worker {
     /// Asks for the rows of the library in this order, in place of what was still waiting.
     pub fn fill(&self, jobs: Vec<Job>) {
         self.shared.lock().rows = jobs.into();
+        self.shared.changed.notify_all();
+    }
+
+    /// Asks for a file to be changed; such requests are carried out one after the other.
+    pub fn change_file(&self, request: FileRequest) {
+        self.shared.lock().changes.push_back(request);
+        self.shared.changed.notify_all();
+    }
+
+    /// Asks for two designs to be compared, in place of what was still waiting.
+    pub fn compare(&self, job: CompareJob) {
+        self.shared.lock().compare = Some(job);
         self.shared.changed.notify_all();
     }
 

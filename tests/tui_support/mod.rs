@@ -17,6 +17,7 @@ use bevelscope::model::RotorsError;
 use bevelscope::rotor::{Motion, RotorError};
 use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
+use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::worker::{self, Job};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
@@ -276,12 +277,30 @@ impl Screen {
                 Effect::Fill(jobs) => jobs.clone(),
                 _ => Vec::new(),
             };
+            let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
+            if let Some(message) = message {
+                let effects = self.app.update(message);
+                self.carry_out(effects);
+            }
             for job in jobs {
                 if !self.held {
                     self.perform(&job);
                 }
             }
+        }
+    }
+
+    /// What comes back for an effect that is no job.
+    fn message(&self, effect: &Effect) -> Option<Message> {
+        match effect {
+            Effect::ChangeFile(request) => Some(worker::change_file(request.clone(), &*self.backend)),
+            Effect::Compare(job) => {
+                let result = Box::new(compare::perform(job, &*self.backend));
+                Some(Message::Compared { ticket: job.ticket, result })
+            }
+            Effect::List => self.backend.list().map(Message::Listed),
+            _ => None,
         }
     }
 
@@ -381,6 +400,8 @@ fn named_key(name: &str) -> KeyEvent {
         "End" => KeyCode::End,
         "PgUp" => KeyCode::PageUp,
         "PgDn" => KeyCode::PageDown,
+        "Delete" => KeyCode::Delete,
+        "F5" => KeyCode::F(5),
         other => {
             let letter = other.strip_prefix("Ctrl-").and_then(|rest| rest.chars().next()).unwrap();
             return KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL);

@@ -9,7 +9,8 @@ mod table;
 mod written;
 
 pub(super) use locate::locate;
-pub(super) use nearest::{did_you_mean, listed};
+pub(crate) use nearest::did_you_mean;
+pub(super) use nearest::listed;
 pub(super) use table::{FromFile, FromTable, TableReader};
 
 use toml::de::{DeTable, DeValue};

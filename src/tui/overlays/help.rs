@@ -1,121 +1,87 @@
-//! The help: the keymap as it is, and what the marks mean.
+//! The help: the keys in force, and what the marks mean.
 //!
 //! ```text
-//! ┌ Help ────────────────────────────────────────────┐
+//! ┌ Help /design  2 of 9 ────────────────────────────┐
 //! │ Moving                                           │
 //! │   ↑ k           the design above, or a line up   │
-//! │   ↓ j           the design below, or a line down │
+//! │ ▌ ↓ j           the design below, or a line down │
 //! └ lines 1-12 of 40 ────────────────────────────────┘
 //! ```
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
-use crate::text::cut;
-use crate::tui::action::{ACTIONS, Category};
+use crate::text::{cut, printable};
 use crate::tui::app::App;
-use crate::tui::keymap::{self, Mode};
+use crate::tui::help::HelpLine;
+use crate::tui::keymap::Mode;
 use crate::tui::theme::Theme;
-use crate::tui::traces::TOLERANCE_DB;
 use crate::tui::widgets::panel::{self, Title};
 
 const KEYS: usize = 20;
 
-/// Draws the help over `area`.
-pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) {
+/// Draws the help over `area`, and returns where the cursor stands while a search is typed.
+pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let theme = app.theme;
-    let lines = lines(&theme);
-    let width = area.width.saturating_sub(4).min(78);
-    let height = area.height.min(lines.len() as u16 + 2);
-    let window = Rect { x: area.x + (area.width - width) / 2, y: area.y + (area.height - height) / 2, width, height };
-    for y in window.top()..window.bottom() {
-        for x in window.left()..window.right() {
-            if let Some(cell) = buffer.cell_mut((x, y)) {
-                cell.reset();
-            }
-        }
+    let lines = app.help_lines();
+    let typing = app.mode == Mode::HelpSearch;
+    let searched = typing || !app.help_search.is_empty();
+    // while it is searched, its size stays
+    let height = if searched { area.height } else { lines.len() as u16 + 2 };
+    let window = super::window(area, area.width.saturating_sub(4).min(78), height, buffer);
+    let found: Vec<usize> = (0..lines.len()).filter(|&at| matches!(lines[at], HelpLine::Entry { .. })).collect();
+    let place = app.help_search.place(found.len());
+    let inner = panel::frame(window, buffer, &title(app, searched, place, found.len()), true, &theme);
+    let text = if typing { Rect { height: inner.height.saturating_sub(1), ..inner } } else { inner };
+    app.help_scroll.fit(lines.len(), usize::from(text.height));
+    let present = place.and_then(|place| found.get(place).copied());
+    if let Some(line) = present.filter(|_| std::mem::take(&mut app.help_search.follow)) {
+        app.help_scroll.show(line);
     }
-    let inner = panel::frame(window, buffer, &Title::left("Help"), true, &theme);
-    let room = usize::from(inner.width.saturating_sub(1));
-    app.help_scroll.fit(lines.len(), usize::from(inner.height));
-    for (line, y) in lines.iter().skip(app.help_scroll.top).zip(inner.top()..inner.bottom()) {
-        match line {
-            Line::Title(title) => drop(buffer.set_stringn(inner.x + 1, y, title, room, theme.title)),
-            Line::Entry(keys, text) => {
-                let gap = " ".repeat(KEYS.saturating_sub(keys.width()).max(1));
-                let (x, _) = buffer.set_stringn(inner.x + 1, y, format!("  {keys}{gap}"), room, theme.key);
-                let left = usize::from(inner.right().saturating_sub(x));
-                buffer.set_stringn(x, y, cut(text, left, theme.glyphs.ellipsis), left, Style::new());
-            }
-        }
+    let top = app.help_scroll.top;
+    for ((at, line), y) in lines.iter().enumerate().skip(top).zip(text.top()..text.bottom()) {
+        render_line(line, present == Some(at), &theme, Rect { y, height: 1, ..text }, buffer);
+    }
+    if lines.is_empty() {
+        buffer.set_stringn(text.x + 1, text.y, "nothing has these letters in it", usize::from(text.width), theme.faint);
     }
     if let Some(position) = app.help_scroll.position() {
-        let left = vec![format!("lines {position}, Esc closes"), position];
+        let left = vec![format!("lines {position}, / searches, Esc closes"), format!("lines {position}"), position];
         panel::bottom(window, buffer, &Title { left, right: Vec::new() }, true, &theme);
     }
+    let prompt = Rect { y: text.bottom(), height: inner.height - text.height, ..inner };
+    if typing { super::typed(" /", &app.help_search.field, &theme, prompt, buffer) } else { None }
 }
 
-enum Line {
-    Title(&'static str),
-    Entry(String, String),
-}
-
-fn lines(theme: &Theme) -> Vec<Line> {
-    let ascii = theme.glyphs.ascii;
-    let mut lines = Vec::new();
-    let mut section = |title: &'static str, entries: Vec<Line>| {
-        if !lines.is_empty() {
-            lines.push(Line::Title(""));
-        }
-        lines.push(Line::Title(title));
-        lines.extend(entries);
-    };
-    for category in Category::ALL {
-        let entries = ACTIONS.iter().filter(|about| about.category == category).filter_map(|about| {
-            let keys = keys_outside_filter(about.action, ascii);
-            (!keys.is_empty()).then(|| Line::Entry(keys.join(" "), about.doc.into()))
-        });
-        section(category.title(), entries.collect());
+fn title(app: &App, searched: bool, place: Option<usize>, found: usize) -> Title<'static> {
+    if !searched {
+        return Title::left("Help");
     }
-    let typing = ACTIONS.iter().filter(|about| keys_outside_filter(about.action, ascii).is_empty());
-    let typing =
-        typing.map(|about| Line::Entry(keymap::keys(Mode::Filter, about.action, ascii).join(" "), about.doc.into()));
-    section("While a filter is typed", typing.collect());
-    section("Marks", marks(theme));
-    lines
+    let search = printable(app.help_search.field.text().trim()).into_owned();
+    let count = match place {
+        Some(place) => format!("{} of {found}", place + 1),
+        None if found == 0 => "no match".into(),
+        None => String::new(),
+    };
+    Title { left: vec![format!("Help /{search}  {count}").trim_end().to_owned(), count], right: Vec::new() }
 }
 
-fn keys_outside_filter(action: crate::tui::action::Action, ascii: bool) -> Vec<String> {
-    let mut keys: Vec<String> = Vec::new();
-    for mode in [Mode::Library, Mode::Text] {
-        for key in keymap::keys(mode, action, ascii) {
-            if !keys.contains(&key) {
-                keys.push(key);
+fn render_line(line: &HelpLine, present: bool, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let room = usize::from(area.width.saturating_sub(1));
+    match line {
+        HelpLine::Title(title) => drop(buffer.set_stringn(area.x + 1, area.y, title, room, theme.title)),
+        HelpLine::Entry { keys, text, .. } => {
+            let marker = if present { theme.glyphs.selected } else { " " };
+            let gap = " ".repeat(KEYS.saturating_sub(keys.width()).max(1));
+            let start = format!("{marker} {keys}{gap}");
+            let (x, _) = buffer.set_stringn(area.x + 1, area.y, start, room, theme.key);
+            let left = usize::from(area.right().saturating_sub(x));
+            buffer.set_stringn(x, area.y, cut(text, left, theme.glyphs.ellipsis), left, Style::new());
+            if present {
+                buffer.set_style(area, theme.selected);
             }
         }
     }
-    keys
-}
-
-fn marks(theme: &Theme) -> Vec<Line> {
-    let glyphs = theme.glyphs;
-    let [fe, enhanced, basic] = glyphs.samples;
-    let entry = |mark: String, text: &str| Line::Entry(mark, text.into());
-    vec![
-        entry(fe.into(), "mesh force of the finite element model"),
-        entry(enhanced.into(), "of the enhanced lumped model"),
-        entry(basic.into(), "of the basic lumped model"),
-        Line::Entry(
-            glyphs.band.into(),
-            format!("the enhanced model is off by more than {TOLERANCE_DB} dB; in the strip: wide bars"),
-        ),
-        entry(glyphs.trust.into(), "on the frequency axis: up to here the enhanced model can be trusted"),
-        entry(format!("{} {}", glyphs.bearing, glyphs.rigid_bearing), "a bearing, a rigid bearing"),
-        entry(format!("m {}", glyphs.mesh), "where the mesh acts on the shaft, and the mesh point"),
-        entry("E L".into(), "the drives: engine and load"),
-        entry(glyphs.broken.into(), "a design that cannot be read or solved"),
-        entry("!".into(), "a design with warnings"),
-    ]
 }

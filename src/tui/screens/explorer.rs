@@ -13,30 +13,22 @@
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 use crate::text::printable;
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
 use crate::tui::library::RowState;
-use crate::tui::overlays;
 use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::{difference_strip, figures, footer, header, library, plot, side_view, spectrum, text_pane};
 
-/// The smallest terminal that the explorer is laid out for.
-pub const MIN_WIDTH: u16 = 60;
-pub const MIN_HEIGHT: u16 = 18;
-
-/// Draws the explorer over the whole frame.
-pub fn render(app: &mut App, frame: &mut Frame) {
+/// Draws the explorer over the whole frame and returns where the cursor stands, if something is typed.
+pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let area = frame.area();
-    if area.width < MIN_WIDTH || area.height < MIN_HEIGHT {
-        return render_too_small(app, area, frame.buffer_mut());
-    }
     let buffer = frame.buffer_mut();
     let row = |y: u16, height: u16| Rect { y: area.y + y, height, ..area };
-    let body = row(1, area.height - 2 - figures::HEIGHT);
+    let body = super::body(area);
     let left_width = (area.width * 5 / 12).clamp(24, 38);
     let left = Rect { width: left_width, ..body };
     let right = Rect { x: body.x + left_width, width: body.width - left_width, ..body };
@@ -45,13 +37,7 @@ pub fn render(app: &mut App, frame: &mut Frame) {
     render_left(app, left, buffer);
     render_right(app, right, buffer);
     figures::render(app, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
-    let cursor = footer::render(app, row(area.height - 1, 1), buffer);
-    if app.mode == Mode::Help {
-        overlays::help::render(app, body, buffer);
-    }
-    if let Some(cursor) = cursor {
-        frame.set_cursor_position(cursor);
-    }
+    footer::render(app, row(area.height - 1, 1), buffer)
 }
 
 /// List above, side view below; a low window has room for the list only.
@@ -142,16 +128,5 @@ fn without_result(app: &App) -> (&'static str, String) {
         ("Spectra", format!("Solving the three models{dots}"))
     } else {
         ("Spectra", format!("Reading the design{dots}"))
-    }
-}
-
-fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
-    let text = format!(
-        "bevelscope needs {MIN_WIDTH}x{MIN_HEIGHT} characters, this terminal has {}x{} (q quits)",
-        area.width, area.height
-    );
-    let lines = crate::text::wrap(&text, usize::from(area.width));
-    for (line, y) in lines.iter().zip(area.top()..area.bottom()) {
-        buffer.set_stringn(area.x, y, line, usize::from(area.width), app.theme.fe);
     }
 }

@@ -10,9 +10,10 @@ use ratatui::layout::{Position, Rect};
 use unicode_width::UnicodeWidthStr;
 
 use crate::text::{cut, cut_start, printable};
-use crate::tui::action::{ACTIONS, Action};
+use crate::tui::action::ACTIONS;
 use crate::tui::app::App;
-use crate::tui::keymap::{self, Mode};
+use crate::tui::keymap::Mode;
+use crate::tui::notice::NoticeKind;
 
 /// Draws the line and returns where the cursor stands, if something is typed.
 pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
@@ -30,9 +31,15 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         cursor = Some(Position::new(x.min(area.right() - 1), area.y));
         x = (x + 2).min(area.right());
     } else if let Some(notice) = &app.notice {
-        let text =
-            format!(" {} {}", theme.glyphs.broken, cut(&printable(notice), usize::from(area.width / 2), ellipsis));
-        x = buffer.set_stringn(x, area.y, text, usize::from(area.width), theme.error).0 + 1;
+        let text = printable(&notice.text);
+        let room = usize::from(area.width) * 3 / 4;
+        let (text, style) = match notice.kind {
+            NoticeKind::Done => (format!(" {}", cut(&text, room, ellipsis)), theme.title),
+            NoticeKind::Failed | NoticeKind::NotListed => {
+                (format!(" {} {}", theme.glyphs.broken, cut(&text, room, ellipsis)), theme.error)
+            }
+        };
+        x = (buffer.set_stringn(x, area.y, text, usize::from(area.width), style).0 + 1).min(area.right());
     }
     for (keys, text) in hints(app, usize::from(area.right().saturating_sub(x))) {
         x = buffer.set_stringn(x, area.y, format!(" {keys}"), usize::from(area.right() - x), theme.key).0;
@@ -46,8 +53,8 @@ fn hints(app: &App, width: usize) -> Vec<(String, &'static str)> {
     let ascii = app.theme.glyphs.ascii;
     let mut wanted: Vec<(u8, String, &'static str)> = Vec::new();
     for about in ACTIONS {
-        let Some(hint) = about.hint.filter(|_| applies(app, about.action)) else { continue };
-        let Some(key) = keymap::keys(app.mode, about.action, ascii).into_iter().next() else { continue };
+        let Some(hint) = about.hint.filter(|_| app.applies(about.action)) else { continue };
+        let Some(key) = app.keys.of(app.mode, about.action, ascii).into_iter().next() else { continue };
         match wanted.iter_mut().find(|(_, _, text)| *text == hint.text) {
             Some((_, keys, _)) if key.chars().all(|arrow| "↑↓←→".contains(arrow)) => keys.push_str(&key),
             Some((_, keys, _)) => *keys = format!("{keys}/{key}"),
@@ -65,15 +72,4 @@ fn hints(app: &App, width: usize) -> Vec<(String, &'static str)> {
             fits.then_some((keys, text))
         })
         .collect()
-}
-
-/// Whether an action would do something now.
-fn applies(app: &App, action: Action) -> bool {
-    match action {
-        Action::NextPane => app.has_text() && app.detail.text_scroll.last() > 0,
-        Action::NextMatch | Action::PreviousMatch => !app.library.filter().is_empty() && app.mode == Mode::Library,
-        Action::Filter | Action::MoveUp | Action::MoveDown if app.mode != Mode::Help => !app.library.is_empty(),
-        Action::Back => app.mode != Mode::Library || !app.library.filter().is_empty(),
-        _ => true,
-    }
 }

@@ -11,6 +11,7 @@ use unicode_width::UnicodeWidthStr;
 use crate::text::{cut, cut_start, printable};
 use crate::tui::app::{App, Outcome};
 use crate::tui::text::duration;
+use crate::tui::theme::Theme;
 
 const PROGRAM: &str = " bevelscope  ";
 
@@ -45,6 +46,14 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     buffer.set_stringn(x, area.y, name, left, theme.title);
     let right_x = width.saturating_sub(right.width() + 1).max(usize::from(x - area.x));
     buffer.set_stringn(area.x + right_x as u16, area.y, right, width - right_x, theme.faint);
+}
+
+/// Draws the line with a name only.
+pub fn render_named(name: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let width = usize::from(area.width);
+    let (x, y) = buffer.set_stringn(area.x, area.y, PROGRAM, width, theme.key);
+    let left = width.saturating_sub(PROGRAM.width());
+    buffer.set_stringn(x, y, cut(name, left, theme.glyphs.ellipsis), left, theme.title);
 }
 
 fn sizes(app: &App, width: usize) -> String {

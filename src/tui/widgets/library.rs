@@ -20,7 +20,7 @@ use crate::number::grouped;
 use crate::text::{cut, printable};
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
-use crate::tui::library::{Row, RowState};
+use crate::tui::library::{Row, RowState, Visible};
 use crate::tui::theme::Theme;
 
 const COORDINATES: usize = 5;
@@ -50,8 +50,8 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let columns = Widths::new(usize::from(area.width));
     let heading = columns.line("design", "FE", "trust Hz", theme);
     buffer.set_stringn(area.x, area.y, heading, usize::from(area.width), theme.faint);
-    for ((row, selected), y) in app.library.visible().zip(area.y + 1..area.bottom()) {
-        let text = columns.row(row, theme);
+    for (Visible { row, selected, marked, depth }, y) in app.library.visible().zip(area.y + 1..area.bottom()) {
+        let text = columns.row(row, &stem(row, marked, depth, theme), theme);
         let style = match (&row.state, selected) {
             (_, true) => theme.selected,
             (RowState::Broken(_) | RowState::Unsolvable(_), false) => theme.error,
@@ -63,6 +63,15 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         buffer.set_style(Rect::new(area.x, y, area.width, 1), style);
         buffer.set_stringn(area.x, y, line, usize::from(area.width), style);
     }
+}
+
+/// The file's name, below its parent's, with a mark where others are compared with it.
+fn stem(row: &Row, marked: bool, depth: usize, theme: &Theme) -> String {
+    // a long line of descent leaves room for the name
+    let depth = depth.min(4);
+    let branch = if depth > 0 { theme.glyphs.branch } else { "" };
+    let mark = if marked { format!("{} ", theme.glyphs.marked) } else { String::new() };
+    format!("{}{branch}{mark}{}", "  ".repeat(depth.saturating_sub(1)), row.stem)
 }
 
 /// The rows under the heading.
@@ -90,10 +99,10 @@ impl Widths {
         format!(" {name}{gap}{coordinates:>0$}{limit:>LIMIT$}", self.coordinates)
     }
 
-    fn row(&self, row: &Row, theme: &Theme) -> String {
+    fn row(&self, row: &Row, stem: &str, theme: &Theme) -> String {
         let ellipsis = theme.glyphs.ellipsis;
         match &row.state {
-            RowState::Pending | RowState::Loaded => self.line(&row.stem, ellipsis, ellipsis, theme),
+            RowState::Pending | RowState::Loaded => self.line(stem, ellipsis, ellipsis, theme),
             RowState::Solved(summary) => {
                 let limit = match summary.enhanced.agreement_limit_hz {
                     limit if limit > 0.0 => grouped(limit),
@@ -101,10 +110,10 @@ impl Widths {
                 };
                 let warned = row.loaded.as_ref().is_some_and(|loaded| !loaded.warnings.is_empty());
                 let limit = if warned { format!("! {limit}") } else { limit };
-                self.line(&row.stem, &summary.fe_coordinates.to_string(), &limit, theme)
+                self.line(stem, &summary.fe_coordinates.to_string(), &limit, theme)
             }
-            RowState::Broken(broken) => self.broken(&row.stem, &broken.one_line, theme),
-            RowState::Unsolvable(message) => self.broken(&row.stem, message.lines().next().unwrap_or_default(), theme),
+            RowState::Broken(broken) => self.broken(stem, &broken.one_line, theme),
+            RowState::Unsolvable(message) => self.broken(stem, message.lines().next().unwrap_or_default(), theme),
         }
     }
 

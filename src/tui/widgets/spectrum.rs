@@ -22,7 +22,7 @@ use super::panel::{Title, put};
 use super::plot::{AXIS_ROWS, Dash, GUTTER, Range, curve_width, draw_curve};
 use crate::number::grouped;
 use crate::tui::app::Picture;
-use crate::tui::axis::multiples;
+use crate::tui::axis::{FrequencyAxis, multiples};
 use crate::tui::theme::Theme;
 use crate::tui::traces::{Columns, TOLERANCE_DB};
 
@@ -60,7 +60,8 @@ pub fn render(picture: &Picture, trust_limit: f64, theme: &Theme, area: Rect, bu
     let (low, high) = picture.traces.range;
     let range = Range { low, high };
     draw_levels(range, theme, plot, buffer);
-    draw_frequencies(picture, trust_limit, theme, plot, buffer);
+    draw_frequencies(&picture.traces.axis, theme, plot, buffer);
+    draw_trust_limit(&picture.traces.axis, trust_limit, theme, plot, buffer);
     draw_band(columns, theme, plot, buffer);
 
     let mut canvas = Canvas::new(plot.width, plot.height, theme.glyphs.ascii);
@@ -76,7 +77,8 @@ pub fn render(picture: &Picture, trust_limit: f64, theme: &Theme, area: Rect, bu
     canvas.render(plot, buffer);
 }
 
-fn draw_levels(range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+/// Draws the axis of the levels, left of the plot.
+pub fn draw_levels(range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
     let axis = plot.x - 1;
     for y in plot.top()..plot.bottom() {
         put(buffer, axis, y, theme.glyphs.vertical, theme.border);
@@ -94,7 +96,8 @@ fn draw_levels(range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn draw_frequencies(picture: &Picture, trust_limit: f64, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+/// Draws the axis of the frequencies, two rows below the plot.
+pub fn draw_frequencies(frequencies: &FrequencyAxis, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
     let glyphs = theme.glyphs;
     let (axis, labels) = (plot.bottom(), plot.bottom() + 1);
     put(buffer, plot.x - 1, axis, glyphs.bottom_left, theme.border);
@@ -104,7 +107,7 @@ fn draw_frequencies(picture: &Picture, trust_limit: f64, theme: &Theme, plot: Re
     let unit = plot.x.saturating_sub(3);
     buffer.set_stringn(unit, labels, "Hz", usize::from(GUTTER), theme.faint);
     let mut taken = unit + 3;
-    for (column, label) in picture.traces.axis.ticks(usize::from(plot.width)) {
+    for (column, label) in frequencies.ticks(usize::from(plot.width)) {
         let x = plot.x + column as u16;
         put(buffer, x, axis, glyphs.tick_down, theme.border);
         let length = label.len() as u16;
@@ -114,10 +117,13 @@ fn draw_frequencies(picture: &Picture, trust_limit: f64, theme: &Theme, plot: Re
             taken = start + length + 1;
         }
     }
-    let place = picture.traces.axis.fraction(trust_limit);
-    if trust_limit > 0.0 && (0.0..=1.0).contains(&place) {
+}
+
+fn draw_trust_limit(frequencies: &FrequencyAxis, limit: f64, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+    let place = frequencies.fraction(limit);
+    if limit > 0.0 && (0.0..=1.0).contains(&place) {
         let column = ((place * f64::from(plot.width)) as u16).min(plot.width - 1);
-        put(buffer, plot.x + column, axis, glyphs.trust, theme.enhanced.patch(theme.title));
+        put(buffer, plot.x + column, plot.bottom(), theme.glyphs.trust, theme.enhanced.patch(theme.title));
     }
 }
 

@@ -1,0 +1,162 @@
+//! Two designs beside one another: what differs, and how both behave.
+
+use std::path::PathBuf;
+
+use super::app::{App, Scroll};
+use super::axis::FrequencyAxis;
+use super::backend::Backend;
+use super::keymap::Mode;
+use super::library::Row;
+use super::message::Effect;
+use super::traces::{Envelope, envelope, levels, range};
+use super::worker::{Ticket, guarded};
+use crate::agreement::Agreement;
+use crate::comparison::Comparison;
+use crate::design::{Difference, FrequencySpacing};
+
+/// Two files to be compared: the marked one, and the selected one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CompareJob {
+    pub ticket: Ticket,
+    pub paths: [PathBuf; 2],
+}
+
+/// The result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Compared {
+    /// Why there is none, where a file cannot be read.
+    pub differences: Result<Vec<Difference>, String>,
+    pub sides: [Result<ComparedSide, String>; 2],
+    /// RMS of the difference of the two finite element spectra, dB, where their lines are the same
+    pub fe_rms_db: Option<f64>,
+}
+
+/// One of the two.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComparedSide {
+    /// Hz
+    pub frequency: Vec<f64>,
+    /// |F_m| of the finite element model, dB re 1 N
+    pub fe: Vec<f64>,
+    pub log: bool,
+    pub enhanced: Agreement,
+    pub basic: Agreement,
+}
+
+/// The view.
+#[derive(Debug)]
+pub struct CompareView {
+    pub ticket: Ticket,
+    /// Names of the files, safe to show.
+    pub names: [String; 2],
+    pub result: Option<Compared>,
+    pub scroll: Scroll,
+    columns: Option<Overlaid>,
+}
+
+/// Both spectra at one width, over both their frequencies.
+#[derive(Debug)]
+pub struct Overlaid {
+    pub axis: FrequencyAxis,
+    pub range: (f64, f64),
+    /// Nothing where a design has no solution.
+    pub curves: [Envelope; 2],
+    size: (usize, usize),
+}
+
+/// Reads, solves and compares two designs. A panic in the backend becomes the message of its side.
+pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
+    let unexpected = |panic: String| format!("failed unexpectedly: {panic}");
+    let solved = job.paths.each_ref().map(|path| {
+        let solve = || -> Result<(Comparison, bool), String> {
+            let loaded = backend.load(path).map_err(|broken| broken.one_line)?;
+            let log = loaded.design.analysis.frequency_spacing == FrequencySpacing::Log;
+            Ok((backend.compare(&loaded.design).map_err(|error| error.to_string())?, log))
+        };
+        guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic)))
+    });
+    let [a, b] = &job.paths;
+    let differences = guarded(|| backend.differences(a, b)).unwrap_or_else(|panic| Err(unexpected(panic)));
+    let fe_rms_db = match &solved {
+        [Ok((a, _)), Ok((b, _))] => a.fe_rms_db(b),
+        _ => None,
+    };
+    let side = |(comparison, log): (Comparison, bool)| ComparedSide {
+        fe: levels(&comparison.fe.mesh_force),
+        frequency: comparison.frequency_hz,
+        log,
+        enhanced: comparison.enhanced_agreement,
+        basic: comparison.basic_agreement,
+    };
+    Compared { differences, sides: solved.map(|solved| solved.map(side)), fe_rms_db }
+}
+
+impl CompareView {
+    /// Computes the columns if the width has changed.
+    pub fn prepare(&mut self, width: usize, dots: usize) -> Option<&Overlaid> {
+        let result = self.result.as_ref()?;
+        if self.columns.as_ref().is_none_or(|columns| columns.size != (width, dots)) {
+            self.columns = Overlaid::new(result, width, dots);
+        }
+        self.columns.as_ref()
+    }
+}
+
+impl Overlaid {
+    fn new(result: &Compared, width: usize, dots: usize) -> Option<Self> {
+        let sides: Vec<&ComparedSide> = result.sides.iter().flatten().filter(|side| !side.fe.is_empty()).collect();
+        let ends = |pick: fn(f64, f64) -> f64, of: fn(&[f64]) -> Option<&f64>| {
+            sides.iter().filter_map(|side| of(&side.frequency).copied()).reduce(pick)
+        };
+        let (min, max) = (ends(f64::min, <[f64]>::first)?, ends(f64::max, <[f64]>::last)?);
+        let axis = FrequencyAxis { min, max, log: sides.iter().all(|side| side.log) };
+        let range = range(&sides.iter().map(|side| side.fe.as_slice()).collect::<Vec<_>>());
+        let curve = |side: &Result<ComparedSide, String>| match side {
+            Ok(side) => envelope(&side.frequency, &side.fe, &axis, width * dots),
+            Err(_) => Vec::new(),
+        };
+        Some(Self { axis, range, curves: result.sides.each_ref().map(curve), size: (width, dots) })
+    }
+}
+
+impl App {
+    /// The design that another one would be compared with: the marked one, else its parent.
+    pub fn compared_with(&self, row: &Row) -> Option<&Row> {
+        self.library.marked().filter(|marked| marked.path != row.path).or_else(|| self.library.parent(row))
+    }
+
+    pub(super) fn toggle_mark(&mut self) {
+        let Some(row) = self.library.selected() else { return };
+        let (path, stem) = (row.path.clone(), row.stem.clone());
+        if self.library.marked().is_some_and(|marked| marked.path == path) {
+            self.library.mark(None);
+            return self.say(format!("{stem} is no longer marked"));
+        }
+        self.library.mark(Some(path));
+        let compare = self.keys.of(Mode::Library, super::action::Action::Compare, true).into_iter().next();
+        let compare = compare.unwrap_or_else(|| ":compare".into());
+        self.say(format!("{stem} is marked; select another and press {compare}"));
+    }
+
+    pub(super) fn open_compare(&mut self) -> Vec<Effect> {
+        let Some(selected) = self.library.selected() else { return Vec::new() };
+        let Some(other) = self.compared_with(selected) else {
+            let mark = self.keys.of(Mode::Library, super::action::Action::Mark, true).into_iter().next();
+            let mark = mark.unwrap_or_else(|| ":mark".into());
+            self.complain(format!("mark another design with {mark} first, then come back to this one"));
+            return Vec::new();
+        };
+        let names = [other.stem.clone(), selected.stem.clone()];
+        let paths = [other.path.clone(), selected.path.clone()];
+        let ticket = self.ticket();
+        self.compare = Some(CompareView { ticket, names, result: None, scroll: Scroll::default(), columns: None });
+        self.open(Mode::Compare);
+        vec![Effect::Compare(CompareJob { ticket, paths })]
+    }
+
+    pub(super) fn compared(&mut self, ticket: Ticket, result: Compared) {
+        if let Some(view) = self.compare.as_mut().filter(|view| view.ticket == ticket) {
+            view.result = Some(result);
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Renaming, copying, deleting and bringing back design files: asked for here, done in the background.
+
+use std::path::{Path, PathBuf};
+
+use super::app::App;
+use super::keymap::Mode;
+use super::library::Row;
+use super::message::Effect;
+use super::text_field::TextField;
+use crate::design::library::{Trashed, VariantName};
+
+/// Something to be done with a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileRequest {
+    Rename {
+        path: PathBuf,
+        name: VariantName,
+    },
+    Duplicate {
+        path: PathBuf,
+        name: VariantName,
+    },
+    /// To the trash of its folder.
+    Delete {
+        path: PathBuf,
+    },
+    /// This one, or whatever was deleted last from the library.
+    Restore(Option<Trashed>),
+}
+
+/// A file is where it was asked to be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileDone {
+    Renamed { from: PathBuf, to: PathBuf },
+    Duplicated { from: PathBuf, to: PathBuf },
+    Deleted { path: PathBuf, trashed: Trashed },
+    Restored { path: PathBuf },
+}
+
+/// What the form asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    Rename,
+    Duplicate,
+}
+
+/// A name that is being typed.
+#[derive(Debug)]
+pub struct Form {
+    pub purpose: Purpose,
+    pub path: PathBuf,
+    pub field: TextField,
+    /// What the file system had against the name.
+    pub refused: Option<String>,
+    /// It is being done.
+    pub pending: bool,
+}
+
+impl App {
+    pub(super) fn open_form(&mut self, purpose: Purpose) {
+        let Some(row) = self.library.selected() else { return };
+        let stem = row.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let name = match purpose {
+            Purpose::Rename => stem,
+            Purpose::Duplicate => self.free_name(&row.path, &stem),
+        };
+        let path = row.path.clone();
+        self.form = Some(Form { purpose, path, field: TextField::new(name), refused: None, pending: false });
+        self.open(Mode::Name);
+    }
+
+    /// `STEM-2`, or the next number that is free.
+    fn free_name(&self, path: &Path, stem: &str) -> String {
+        let is_free = |name: &String| self.library.row(&path.with_file_name(format!("{name}.toml"))).is_none();
+        let numbered = (2..1000).map(|number| format!("{stem}-{number}"));
+        numbered.into_iter().find(is_free).unwrap_or_default()
+    }
+
+    /// What the form would do.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the name, in words.
+    pub fn checked_form(&self) -> Result<FileRequest, String> {
+        let Some(form) = &self.form else { return Err(String::new()) };
+        if let Some(refused) = &form.refused {
+            return Err(refused.clone());
+        }
+        let name = VariantName::new(form.field.text().trim()).map_err(|error| error.to_string())?;
+        let target = name.path_in(form.path.parent().unwrap_or(Path::new("")));
+        if target == form.path {
+            return Err("this is its name now".into());
+        }
+        if self.library.row(&target).is_some() {
+            return Err("there is a design of that name already".into());
+        }
+        let path = form.path.clone();
+        Ok(match form.purpose {
+            Purpose::Rename => FileRequest::Rename { path, name },
+            Purpose::Duplicate => FileRequest::Duplicate { path, name },
+        })
+    }
+
+    pub(super) fn accept_form(&mut self) -> Vec<Effect> {
+        if self.form.as_ref().is_none_or(|form| form.pending) {
+            return Vec::new();
+        }
+        // what is wrong stands beside the name already
+        let Ok(request) = self.checked_form() else { return Vec::new() };
+        if let Some(form) = &mut self.form {
+            form.pending = true;
+        }
+        vec![Effect::ChangeFile(request)]
+    }
+
+    pub(super) fn edit_form(&mut self, edit: impl FnOnce(&mut TextField)) {
+        if let Some(form) = self.form.as_mut().filter(|form| !form.pending) {
+            edit(&mut form.field);
+            form.refused = None;
+        }
+    }
+
+    pub(super) fn ask_to_delete(&mut self) {
+        if let Some(row) = self.library.selected() {
+            self.to_delete = Some(row.path.clone());
+            self.open(Mode::Confirm);
+        }
+    }
+
+    pub(super) fn delete_confirmed(&mut self) -> Vec<Effect> {
+        self.close();
+        self.to_delete.take().map(|path| Effect::ChangeFile(FileRequest::Delete { path })).into_iter().collect()
+    }
+
+    pub(super) fn restore_deleted(&mut self) -> Vec<Effect> {
+        vec![Effect::ChangeFile(FileRequest::Restore(self.deleted.pop()))]
+    }
+
+    /// Takes in what became of a request.
+    pub(super) fn file_done(&mut self, request: FileRequest, result: Result<FileDone, String>) -> Vec<Effect> {
+        let from_form = self.form.as_ref().is_some_and(|form| form.pending && form.asked(&request));
+        match result {
+            Ok(done) => {
+                if from_form {
+                    self.close_form();
+                }
+                self.take_over(done);
+                let mut effects = self.follow_selection();
+                effects.push(Effect::List);
+                effects
+            }
+            Err(error) => {
+                if let FileRequest::Restore(Some(trashed)) = request {
+                    // it is still there to be brought back
+                    self.deleted.push(trashed);
+                }
+                if let Some(form) = self.form.as_mut().filter(|_| from_form) {
+                    form.pending = false;
+                    form.refused = Some(error.clone());
+                }
+                self.complain(error);
+                Vec::new()
+            }
+        }
+    }
+
+    fn take_over(&mut self, done: FileDone) {
+        let stem = |path: &Path| Row::new(path.into()).stem;
+        match done {
+            FileDone::Renamed { from, to } => {
+                let alone = self.library.row(&from).map_or(0, |row| self.library.variants(row));
+                let variants = match alone {
+                    0 => String::new(),
+                    1 => "; 1 variant still names the old one as its parent".into(),
+                    more => format!("; {more} variants still name the old one as their parent"),
+                };
+                self.say(format!("renamed {} to {}{variants}", stem(&from), stem(&to)));
+                self.library.moved(&from, &to);
+                self.library.want(to);
+            }
+            FileDone::Duplicated { from, to } => {
+                self.say(format!("copied {} to {}", stem(&from), stem(&to)));
+                self.library.want(to);
+            }
+            FileDone::Deleted { path, trashed } => {
+                let key = self.keys.of(Mode::Library, super::action::Action::RestoreDeleted, true).into_iter().next();
+                let how =
+                    key.map_or_else(|| ":restore-deleted brings it back".into(), |key| format!("{key} brings it back"));
+                self.say(format!("deleted {}; {how}", stem(&path)));
+                self.deleted.push(trashed);
+            }
+            FileDone::Restored { path } => {
+                self.say(format!("{} is back", stem(&path)));
+                self.library.want(path);
+            }
+        }
+    }
+
+    fn close_form(&mut self) {
+        self.form = None;
+        if self.mode == Mode::Name {
+            self.close();
+        }
+    }
+}
+
+impl Form {
+    fn asked(&self, request: &FileRequest) -> bool {
+        match (self.purpose, request) {
+            (Purpose::Rename, FileRequest::Rename { path, .. })
+            | (Purpose::Duplicate, FileRequest::Duplicate { path, .. }) => *path == self.path,
+            _ => false,
+        }
+    }
+}

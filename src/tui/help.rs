@@ -1,0 +1,138 @@
+//! The help as lines, and what is searched for in it. All of it is made from the actions and the keys in force.
+
+use super::action::{ACTIONS, About, Category};
+use super::app::App;
+use super::keymap::Mode;
+use super::text_field::TextField;
+use super::theme::Theme;
+use super::traces::TOLERANCE_DB;
+
+/// What is searched for.
+#[derive(Debug, Default)]
+pub struct HelpSearch {
+    pub field: TextField,
+    /// Which of the lines found is the present one, counted on without end.
+    at: isize,
+    /// The present line is to be brought in sight.
+    pub(super) follow: bool,
+}
+
+impl HelpSearch {
+    pub fn is_empty(&self) -> bool {
+        self.field.is_empty()
+    }
+
+    pub(super) fn cycle(&mut self, by: isize) {
+        self.at = self.at.wrapping_add(by);
+        self.follow = true;
+    }
+
+    /// The place of the present one of `found` lines.
+    pub fn place(&self, found: usize) -> Option<usize> {
+        (found > 0 && !self.is_empty()).then(|| self.at.rem_euclid(found.cast_signed()).cast_unsigned())
+    }
+}
+
+/// One line of the help.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum HelpLine {
+    Title(&'static str),
+    /// Keys or a mark, what it means, and what else finds it.
+    Entry {
+        keys: String,
+        text: String,
+        name: &'static str,
+    },
+}
+
+/// Where letters are keys; the help itself last.
+const READING: [Mode; 6] = [Mode::Library, Mode::Text, Mode::Compare, Mode::Confirm, Mode::Messages, Mode::Help];
+
+impl App {
+    pub(super) fn open_help(&mut self) {
+        self.help_scroll.top = 0;
+        self.help_search = HelpSearch::default();
+        self.open(Mode::Help);
+    }
+
+    pub(super) fn open_help_search(&mut self) {
+        self.help_search = HelpSearch::default();
+        self.open(Mode::HelpSearch);
+    }
+
+    pub(super) fn edit_help_search(&mut self, edit: impl FnOnce(&mut TextField)) {
+        edit(&mut self.help_search.field);
+        self.help_search.at = 0;
+        self.help_scroll.top = 0;
+    }
+
+    /// The lines that have what is searched for, each section below its title.
+    pub fn help_lines(&self) -> Vec<HelpLine> {
+        let search = self.help_search.field.text().trim().to_lowercase();
+        let found = |line: &HelpLine| match line {
+            HelpLine::Title(_) => false,
+            HelpLine::Entry { keys, text, name } => {
+                search.is_empty()
+                    || [keys, text].iter().any(|text| text.to_lowercase().contains(&search))
+                    || name.contains(&search)
+            }
+        };
+        let mut lines = Vec::new();
+        for (title, entries) in self.help_sections() {
+            let entries: Vec<HelpLine> = entries.into_iter().filter(found).collect();
+            if entries.is_empty() {
+                continue;
+            }
+            if !lines.is_empty() {
+                lines.push(HelpLine::Title(""));
+            }
+            lines.push(HelpLine::Title(title));
+            lines.extend(entries);
+        }
+        lines
+    }
+
+    fn help_sections(&self) -> Vec<(&'static str, Vec<HelpLine>)> {
+        let entries = |category: Category| {
+            let about = ACTIONS.iter().filter(move |about| about.category == category);
+            about.map(|about| HelpLine::Entry { keys: self.keys_of(about), text: about.doc.into(), name: about.name })
+        };
+        let mut sections: Vec<_> =
+            Category::ALL.into_iter().map(|category| (category.title(), entries(category).collect())).collect();
+        sections.push(("Marks", marks(&self.theme)));
+        sections
+    }
+
+    /// The keys of an action, or how the palette finds it.
+    fn keys_of(&self, about: &About) -> String {
+        let ascii = self.theme.glyphs.ascii;
+        let mut keys = self.keys.anywhere(&READING, about.action, ascii);
+        if keys.is_empty() {
+            keys = self.keys.anywhere(&Mode::ALL, about.action, ascii);
+        }
+        if keys.is_empty() { format!(":{}", about.name) } else { keys.join(" ") }
+    }
+}
+
+fn marks(theme: &Theme) -> Vec<HelpLine> {
+    let glyphs = theme.glyphs;
+    let [fe, enhanced, basic] = glyphs.samples;
+    let entry = |mark: &str, text: &str| HelpLine::Entry { keys: mark.into(), text: text.into(), name: "" };
+    vec![
+        entry(fe, "mesh force of the finite element model"),
+        entry(enhanced, "of the enhanced lumped model"),
+        entry(basic, "of the basic lumped model"),
+        entry(
+            &glyphs.band.to_string(),
+            &format!("the enhanced model is off by more than {TOLERANCE_DB} dB; in the strip: wide bars"),
+        ),
+        entry(&glyphs.trust.to_string(), "on the frequency axis: up to here the enhanced model can be trusted"),
+        entry(&format!("{} {}", glyphs.bearing, glyphs.rigid_bearing), "a bearing, a rigid bearing"),
+        entry(&format!("m {}", glyphs.mesh), "where the mesh acts on the shaft, and the mesh point"),
+        entry("E L", "the drives: engine and load"),
+        entry(glyphs.broken, "a design that cannot be read or solved"),
+        entry("!", "a design with warnings"),
+        entry(glyphs.branch.trim(), "a variant of the design above it"),
+        entry(glyphs.marked, "the design that others are compared with"),
+    ]
+}

@@ -1,0 +1,76 @@
+//! The keys as they are in force: those of the program with those of the user's file.
+//!
+//! ```text
+//! keymap::BINDINGS ─┐
+//!                   ├─> Keys ──> what a key does, help, footer, palette, `bevelscope keys`
+//! keys.toml ────────┘
+//! ```
+
+mod file;
+mod key;
+
+use ratatui::crossterm::event::KeyEvent;
+
+pub use file::{Remapped, read};
+pub use key::{Key, KeyError};
+
+use super::action::Action;
+use super::keymap::{BINDINGS, Mode};
+
+/// Which key does what in which mode.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Keys {
+    /// The first key of an action is the one that the hints show.
+    bound: Vec<Bound>,
+}
+
+/// One key in one mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bound {
+    pub mode: Mode,
+    pub key: Key,
+    pub action: Action,
+}
+
+impl Default for Keys {
+    fn default() -> Self {
+        let bound = |(binding, mode): (&super::keymap::Binding, &Mode)| Bound {
+            mode: *mode,
+            key: Key::new(binding.code, binding.control),
+            action: binding.action,
+        };
+        let bindings = BINDINGS.iter().flat_map(|binding| binding.modes.iter().map(move |mode| (binding, mode)));
+        Self { bound: bindings.map(bound).collect() }
+    }
+}
+
+impl Keys {
+    /// What a key does in a mode, if anything.
+    pub fn action(&self, mode: Mode, event: KeyEvent) -> Option<Action> {
+        let key = Key::from(event);
+        let find = |key| self.bound.iter().find(|bound| bound.mode == mode && bound.key == key);
+        find(key).or_else(|| find(key.without_shift())).map(|bound| bound.action)
+    }
+
+    /// The keys of an action in a mode, as they are shown.
+    pub fn of(&self, mode: Mode, action: Action, ascii: bool) -> Vec<String> {
+        let bound = self.bound.iter().filter(|bound| bound.mode == mode && bound.action == action);
+        bound.map(|bound| bound.key.shown(ascii)).collect()
+    }
+
+    /// The keys of an action in any of the modes, each once.
+    pub fn anywhere(&self, modes: &[Mode], action: Action, ascii: bool) -> Vec<String> {
+        let mut keys: Vec<String> = Vec::new();
+        for key in modes.iter().flat_map(|&mode| self.of(mode, action, ascii)) {
+            if !keys.contains(&key) {
+                keys.push(key);
+            }
+        }
+        keys
+    }
+
+    /// All keys.
+    pub fn bound(&self) -> &[Bound] {
+        &self.bound
+    }
+}

@@ -1,0 +1,123 @@
+//! One line of text that is being typed.
+
+use crate::text::{cut, cut_start, printable};
+use unicode_width::UnicodeWidthStr;
+
+/// A text and where the cursor stands in it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct TextField {
+    text: String,
+    /// Bytes before the cursor.
+    cursor: usize,
+}
+
+impl TextField {
+    /// The text, with the cursor at its end.
+    pub fn new(text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { cursor: text.len(), text }
+    }
+
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.text.is_empty()
+    }
+
+    /// Puts text in at the cursor.
+    pub fn insert(&mut self, text: &str) {
+        self.text.insert_str(self.cursor, text);
+        self.cursor += text.len();
+    }
+
+    pub fn left(&mut self) {
+        self.cursor -= self.before().chars().next_back().map_or(0, char::len_utf8);
+    }
+
+    pub fn right(&mut self) {
+        self.cursor += self.after().chars().next().map_or(0, char::len_utf8);
+    }
+
+    pub fn start(&mut self) {
+        self.cursor = 0;
+    }
+
+    pub fn end(&mut self) {
+        self.cursor = self.text.len();
+    }
+
+    /// Takes out the letter before the cursor.
+    pub fn delete_before(&mut self) {
+        let end = self.cursor;
+        self.left();
+        self.text.drain(self.cursor..end);
+    }
+
+    /// Takes out the letter at the cursor.
+    pub fn delete_after(&mut self) {
+        let length = self.after().chars().next().map_or(0, char::len_utf8);
+        self.text.drain(self.cursor..self.cursor + length);
+    }
+
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// What is seen of it in `width` columns, harmless, and the column of the cursor.
+    pub fn shown(&self, width: usize, ellipsis: &str) -> (String, usize) {
+        // one column is the cursor's at the end of the text
+        let before = cut_start(&printable(self.before()), width.saturating_sub(1), ellipsis);
+        let column = before.width();
+        let after = cut(&printable(self.after()), width.saturating_sub(column), ellipsis);
+        (before + &after, column)
+    }
+
+    fn before(&self) -> &str {
+        self.text.get(..self.cursor).unwrap_or_default()
+    }
+
+    fn after(&self) -> &str {
+        self.text.get(self.cursor..).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::TextField;
+
+    #[test]
+    fn letters_come_and_go_at_the_cursor() {
+        let mut field = TextField::new("Über");
+        field.start();
+        field.delete_after();
+        field.insert("Ü1");
+        assert_eq!(field.text(), "Ü1ber");
+        field.delete_before();
+        field.end();
+        field.right();
+        field.left();
+        field.delete_before();
+        assert_eq!(field.text(), "Übr");
+        field.clear();
+        field.left();
+        field.delete_before();
+        field.delete_after();
+        assert!(field.is_empty());
+    }
+
+    #[test]
+    fn the_cursor_is_always_in_sight() {
+        let mut field = TextField::new("overhung\u{1b}elastic");
+        for width in 0..30 {
+            for _ in 0..20 {
+                let (shown, column) = field.shown(width, "…");
+                assert!(column < width.max(1), "{width}: {shown}");
+                assert!(!shown.contains('\u{1b}'));
+                field.left();
+            }
+            field.end();
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Every file of `tests/fixtures/keys/valid` is read without an error, every file of `invalid` gives exactly the errors that it
+//! expects: `# expect: LINE:COLUMN: part of the message`. In both, `# holds: MODE KEY ACTION` says what is in force.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use bevelscope::design::Source;
+use bevelscope::tui::keymap::Mode;
+use bevelscope::tui::keys::{Key, Keys, read};
+
+fn fixtures(folder: &str) -> Vec<(PathBuf, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/keys").join(folder);
+    let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    assert!(files.len() > 3);
+    files.into_iter().map(|path| (fs::read_to_string(&path).unwrap(), path)).map(|(text, path)| (path, text)).collect()
+}
+
+fn assert_as_expected(path: &Path, text: &str) {
+    let remapped = read(text);
+    let source = Source::new("keys.toml", text);
+    let mut left: Vec<String> = remapped.findings.iter().map(|finding| source.render(finding)).collect();
+    for expected in text.lines().filter_map(|line| line.strip_prefix("# expect: ")) {
+        let (place, message) = expected.split_once(": ").unwrap_or((expected.trim_end_matches(':'), ""));
+        let fits = |shown: &String| shown.starts_with(&format!("keys.toml:{place}:")) && shown.contains(message);
+        let found = left.iter().position(fits);
+        assert!(found.is_some(), "{}: not found: {expected}\n{}", path.display(), left.concat());
+        left.remove(found.unwrap());
+    }
+    assert!(left.is_empty(), "{}: not expected:\n{}", path.display(), left.concat());
+    for holds in text.lines().filter_map(|line| line.strip_prefix("# holds: ")) {
+        let [mode, key, action] = holds.split(' ').collect::<Vec<_>>()[..] else { panic!("{holds}") };
+        let mode = Mode::ALL.into_iter().find(|known| known.name() == mode).unwrap();
+        let key = Key::parse(key).unwrap();
+        let bound = remapped.keys.bound().iter().find(|bound| bound.mode == mode && bound.key == key);
+        let found = bound.map_or("none", |bound| bound.action.name());
+        assert_eq!(found, action, "{}: {holds}", path.display());
+    }
+}
+
+#[test]
+fn valid_files_hold() {
+    for (path, text) in fixtures("valid") {
+        assert!(!text.contains("# expect: "));
+        assert_as_expected(&path, &text);
+    }
+}
+
+#[test]
+fn invalid_files_give_the_errors_they_expect_and_the_other_lines_hold() {
+    for (path, text) in fixtures("invalid") {
+        assert!(text.contains("# expect: "));
+        assert_as_expected(&path, &text);
+    }
+}
+
+#[test]
+fn slips_are_mended_with_the_nearest_name() {
+    for (text, hint) in [
+        ("[library]\na = \"renam\"", "did you mean `rename`?"),
+        ("[library]\na = \"toggle_tree\"", "did you mean `toggle-tree`?"),
+        ("[libary]\na = \"mark\"", "did you mean `library`?"),
+    ] {
+        let finding = read(text).findings.remove(0);
+        assert!(finding.hint.as_ref().unwrap().contains(hint), "{finding:?}");
+    }
+}
+
+/// Whatever is in the file, there is a way to quit and to the help.
+#[test]
+fn no_file_strands_anyone() {
+    let all = Mode::ALL.map(|mode| {
+        let bound = Keys::default().bound().to_vec();
+        let keys = bound.iter().filter(|bound| bound.mode == mode);
+        let lines: Vec<String> = keys.map(|bound| format!("{:?} = \"none\"\n", bound.key.shown(true))).collect();
+        format!("[{}]\n{}", mode.name(), lines.concat())
+    });
+    let keys = read(&all.concat()).keys;
+    for name in ["quit", "help", "back", "palette", "accept"] {
+        for mode in Mode::ALL {
+            let had = |keys: &Keys| keys.bound().iter().any(|bound| bound.mode == mode && bound.action.name() == name);
+            assert_eq!(had(&keys), had(&Keys::default()), "{name} in {mode:?}");
+        }
+    }
+}
+
+#[test]
+fn every_key_that_is_shown_can_be_written() {
+    for bound in Keys::default().bound() {
+        for ascii in [true, false] {
+            let shown = bound.key.shown(ascii);
+            assert!(!ascii || Key::parse(&shown) == Ok(bound.key), "{shown}");
+        }
+    }
+}
+
+fn bevelscope(arguments: &[&str], config: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bevelscope"))
+        .args(arguments)
+        .env("XDG_CONFIG_HOME", config)
+        .env("HOME", config)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn the_command_checks_a_file_and_prints_what_is_in_force() {
+    let config = tempfile::tempdir().unwrap();
+    let text = |output: &[u8]| String::from_utf8(output.to_vec()).unwrap();
+    for (folder, status) in [("valid", 0), ("invalid", 2)] {
+        for (path, _) in fixtures(folder) {
+            let output = bevelscope(&["keys", "--check", path.to_str().unwrap()], config.path());
+            assert_eq!(output.status.code(), Some(status), "{}: {}", path.display(), text(&output.stderr));
+            assert_eq!(output.stdout.is_empty(), status == 2);
+            let harmful = |c: char| c != '\n' && bevelscope::text::is_unprintable(c);
+            assert!(!text(&output.stderr).contains(harmful));
+        }
+    }
+    let path = config.path().join("my-keys.toml");
+    fs::write(&path, "[library]\nf6 = \"mark\"\nf7 = \"nonsense\"\n").unwrap();
+    let output = bevelscope(&["keys", "--keys", path.to_str().unwrap()], config.path());
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stdout).contains("F6 m"), "{}", text(&output.stdout));
+    assert!(text(&output.stderr).contains("my-keys.toml:3:6: error: there is no action `nonsense`"));
+    assert!(text(&output.stdout).lines().all(|line| line.chars().count() <= 80));
+    for (arguments, words) in [
+        (vec!["keys", "--check", "no-such.toml"], "no-such.toml"),
+        (vec!["keys", "--keys", config.path().to_str().unwrap()], "this is a folder"),
+        (vec!["--keys", "no-such.toml"], "no-such.toml"),
+    ] {
+        let output = bevelscope(&arguments, config.path());
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&output.stderr).contains(words), "{arguments:?}: {}", text(&output.stderr));
+    }
+}
+
+/// The user's own file, where the system looks for such files.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_users_file_is_found() {
+    let config = tempfile::tempdir().unwrap();
+    fs::create_dir(config.path().join("bevelscope")).unwrap();
+    fs::write(config.path().join("bevelscope/keys.toml"), "[library]\nf9 = \"rename\"\n").unwrap();
+    let output = bevelscope(&["keys"], config.path());
+    assert!(String::from_utf8(output.stdout).unwrap().contains("F9 r"));
+}
