@@ -1,9 +1,11 @@
 //! The whole way of a design: three models, their spectra, and how they agree.
 
+use std::ops::ControlFlow;
+
 use crate::agreement::{Agreement, AgreementError, Tolerance};
 use crate::design::Design;
 use crate::model::{Model, ModelKind, Rotors, RotorsError};
-use crate::response::{ResponseError, frequency_lines};
+use crate::response::{Compliance, ResponseError, frequency_lines};
 
 pub use crate::response::Spectrum;
 
@@ -28,7 +30,12 @@ pub enum SolveError {
     Response { kind: ModelKind, error: ResponseError },
     #[error(transparent)]
     Agreement(#[from] AgreementError),
+    #[error("cancelled")]
+    Cancelled,
 }
+
+/// Hears how far a comparison is (0 to 1) between its steps, and may end it.
+pub type Observer<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
 
 /// Solves one model of a design on the given lines (Hz).
 ///
@@ -46,22 +53,106 @@ pub fn solve(kind: ModelKind, design: &Design, rotors: &Rotors, frequency_hz: &[
 ///
 /// [`SolveError`] names the rotor and what is wrong with it.
 pub fn compare(design: &Design) -> Result<Comparison, SolveError> {
-    compare_over(design, None)
+    compare_over(design, None, &mut |_| ControlFlow::Continue(()))
 }
 
-/// As [`compare`], with all figures but the agreement limit over a band (Hz, both ends included).
+/// As [`compare`], with all figures but the agreement limit over a band (Hz, both ends included), and with an observer.
 ///
 /// # Errors
 ///
-/// As [`compare`], or a band without a line.
-pub fn compare_over(design: &Design, band: Option<[f64; 2]>) -> Result<Comparison, SolveError> {
+/// As [`compare`]; a band without a line; [`SolveError::Cancelled`] where the observer breaks.
+pub fn compare_over(
+    design: &Design,
+    band: Option<[f64; 2]>,
+    observer: &mut Observer<'_>,
+) -> Result<Comparison, SolveError> {
     let rotors = Rotors::new(design)?;
     let frequency_hz = frequency_lines(&design.analysis);
-    let solved = |kind| solve(kind, design, &rotors, &frequency_hz);
-    let (fe, enhanced, basic) = (solved(ModelKind::Fe)?, solved(ModelKind::Enhanced)?, solved(ModelKind::Basic)?);
+    let models = ModelKind::ALL.map(|kind| Model::new(kind, design, &rotors));
+    let mut progress = Progress::new(&models, frequency_hz.len(), observer);
+    let mut solved = |model: &Model| observed_spectrum(model, &frequency_hz, &mut progress);
+    let [fe, enhanced, basic] = &models;
+    let (fe, enhanced, basic) = (solved(fe)?, solved(enhanced)?, solved(basic)?);
     let agreement = |lumped: &Spectrum| {
         Agreement::new(&frequency_hz, &lumped.mesh_force, &fe.mesh_force, band, Tolerance::default())
     };
     let (enhanced_agreement, basic_agreement) = (agreement(&enhanced)?, agreement(&basic)?);
     Ok(Comparison { frequency_hz, fe, enhanced, basic, enhanced_agreement, basic_agreement })
+}
+
+/// A spectrum in steps that the observer can come between.
+fn observed_spectrum(
+    model: &Model,
+    frequency_hz: &[f64],
+    progress: &mut Progress<'_, '_>,
+) -> Result<Spectrum, SolveError> {
+    const LINES_A_STEP: usize = 8192;
+    let failed = |error| SolveError::Response { kind: model.kind, error };
+    progress.add(0.0)?;
+    let compliance = Compliance::new(model).map_err(failed)?;
+    progress.add(modes_cost(model))?;
+    let mut spectrum = Spectrum::with_capacity(frequency_hz.len(), model.coordinates());
+    for lines in frequency_hz.chunks(LINES_A_STEP) {
+        spectrum.extend(model, &compliance, lines).map_err(failed)?;
+        progress.add(lines_cost(model, lines.len()))?;
+    }
+    Ok(spectrum)
+}
+
+/// Operations of the modes of both rotors, roughly.
+fn modes_cost(model: &Model) -> f64 {
+    model.rotors().iter().map(|rotor| (rotor.coordinates.len() as f64).powi(3)).sum()
+}
+
+/// Operations of some lines of the shortcut, roughly, in the unit of [`modes_cost`].
+fn lines_cost(model: &Model, lines: usize) -> f64 {
+    2.0 * lines as f64 * model.coordinates() as f64
+}
+
+/// How much of the work is done, and who wants to know.
+struct Progress<'a, 'o> {
+    done: f64,
+    all: f64,
+    observer: &'a mut Observer<'o>,
+}
+
+impl<'a, 'o> Progress<'a, 'o> {
+    fn new(models: &[Model], lines: usize, observer: &'a mut Observer<'o>) -> Self {
+        let all = models.iter().map(|model| modes_cost(model) + lines_cost(model, lines)).sum();
+        Self { done: 0.0, all, observer }
+    }
+
+    fn add(&mut self, cost: f64) -> Result<(), SolveError> {
+        self.done += cost;
+        match (self.observer)(self.done / self.all) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(SolveError::Cancelled),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::{library::SHIPPED, read};
+
+    #[test]
+    fn progress_rises_to_one_and_a_break_ends_the_work() {
+        let mut design = read(SHIPPED[0].text).design.unwrap();
+        design.analysis.frequency_lines = 20_000;
+        let mut seen = Vec::new();
+        let watched = compare_over(&design, None, &mut |progress| {
+            seen.push(progress);
+            ControlFlow::Continue(())
+        });
+        assert_eq!(watched, compare(&design));
+        assert!(seen.len() > 10 && seen.is_sorted(), "{seen:?}");
+        assert!((seen[seen.len() - 1] - 1.0).abs() < 1e-9, "{seen:?}");
+        let mut steps = 0;
+        let ended = compare_over(&design, None, &mut |_| {
+            steps += 1;
+            if steps < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        assert_eq!((ended, steps), (Err(SolveError::Cancelled), 4));
+    }
 }

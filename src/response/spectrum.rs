@@ -28,17 +28,33 @@ impl Spectrum {
     pub fn new(model: &Model, frequency_hz: &[f64]) -> Result<Self, ResponseError> {
         let compliance = Compliance::new(model)?;
         let mut out = Self::with_capacity(frequency_hz.len(), model.coordinates());
+        out.extend(model, &compliance, frequency_hz)?;
+        Ok(out)
+    }
+
+    /// Adds the response on further lines (Hz, all greater than 0); `compliance` is the model's.
+    ///
+    /// # Errors
+    ///
+    /// A line whose result overflows.
+    pub fn extend(
+        &mut self,
+        model: &Model,
+        compliance: &Compliance,
+        frequency_hz: &[f64],
+    ) -> Result<(), ResponseError> {
         for &frequency in frequency_hz {
             let omega = TAU * frequency;
             let alpha = compliance.at(omega, model.structural_factor(omega));
             let k = model.complex_mesh_stiffness(omega);
             let force = -k * model.transmission_error / (1.0 + alpha * k);
-            out.push(frequency, force, -alpha * force)?;
+            self.push(frequency, force, -alpha * force)?;
         }
-        Ok(out)
+        Ok(())
     }
 
-    pub(super) fn with_capacity(lines: usize, coordinates: usize) -> Self {
+    /// No lines yet, and room for some.
+    pub fn with_capacity(lines: usize, coordinates: usize) -> Self {
         Self { mesh_force: Vec::with_capacity(lines), transmission_error: Vec::with_capacity(lines), coordinates }
     }
 
@@ -60,7 +76,8 @@ impl Spectrum {
 /// The lines of an analysis, Hz, ascending, both ends exact.
 pub fn frequency_lines(analysis: &Analysis) -> Vec<f64> {
     let (low, high) = (analysis.frequency_min, analysis.frequency_max);
-    let last = analysis.frequency_lines - 1;
+    // a design that was read has two at least
+    let last = analysis.frequency_lines.max(2) - 1;
     let between = |i: usize| {
         let t = i as f64 / last as f64;
         match analysis.frequency_spacing {
