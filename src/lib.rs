@@ -48,6 +48,10 @@
 //! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
 //! - A [`rotor::Rotor`] that exists can be solved; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
+//! - An edit changes the bytes that it is about and no others; undone, it gives the file back byte for byte
+//!   (`tests/design_edit_properties.rs`).
+//! - Every field of the schema can be seen and edited as a cell (`tests/design_grid.rs`).
+//! - Who reads a file while it is saved sees the old one or the new one (`tests/design_saving.rs`).
 //! - No `unwrap` and no `panic!` outside tests (`tests/invariants.rs`, and the lints in `Cargo.toml`).
 //! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
 

@@ -20,7 +20,9 @@ fn shown(differences: &[Difference]) -> Vec<String> {
 
 fn edited(text: &str, edits: &[Edit]) -> String {
     let mut editor = Editor::new(text).unwrap();
-    edits.iter().for_each(|edit| drop(editor.apply(edit).unwrap()));
+    for edit in edits {
+        editor.apply(edit).unwrap();
+    }
     editor.text().to_owned()
 }
 

@@ -73,12 +73,12 @@ fn walk(text: &str, reached: &mut BTreeSet<(&'static str, &'static str)>) {
             // a shorter shaft may have something beyond its end: that is said elsewhere
             let own = now.findings.iter().map(|place| &editor.reading().findings[*place]);
             let has_error = own.into_iter().any(|finding| finding.severity == Severity::Error);
-            if cell.column.key != "line_of_action" {
-                changed |= !has_error;
-            } else {
+            if cell.column.key == "line_of_action" {
                 // a line that is turned is no unit vector any more, and that is said here
                 assert_eq!(editor.reading().design.is_none(), has_error);
                 changed = true;
+            } else {
+                changed |= !has_error;
             }
             if let Some(now) = &editor.reading().design {
                 assert_eq!(*now != design, numeric(&cell) != value(&typed), "{} {typed}", cell.path);

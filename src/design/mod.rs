@@ -3,7 +3,7 @@
 //! ```text
 //! file --load--> text --read--> Design + findings
 //!                  |
-//!               Document (edits that keep everything else as it was)
+//!                Editor (edits that keep everything else as it was) --save--> file
 //! ```
 
 #[macro_use]
