@@ -82,9 +82,12 @@ const UNITS: [&str; 9] = ["_hz", "_n", "_m", "_mm", "_kg", "_kg_m2", "_db", "_pe
 #[test]
 fn every_number_in_json_has_a_unit_in_its_key() {
     let design = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/straddle-elastic.toml");
-    for command in ["solve", "modes", "inspect", "check"] {
+    let other = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/overhung-rigid.toml");
+    for command in ["solve", "modes", "inspect", "check", "compare"] {
         let mut out = Vec::new();
-        let cli = Cli::try_parse_from(["bevelscope", command, design, "--format", "json"]).unwrap();
+        let files = if command == "compare" { vec![design, other] } else { vec![design] };
+        let arguments = ["bevelscope", command].into_iter().chain(files).chain(["--format", "json"]);
+        let cli = Cli::try_parse_from(arguments).unwrap();
         cli.run(&mut out, std::io::sink()).unwrap();
         let mut numbers = 0;
         look_at_keys(&serde_json::from_slice(&out).unwrap(), "", &mut numbers);

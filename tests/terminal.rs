@@ -339,6 +339,51 @@ fn the_program_ends_when_the_terminal_goes_away() {
     assert!([128 + 1, 1].contains(&status.exit_code()), "{status:?}");
 }
 
+/// Files of a real folder, with keys of the user's own.
+#[test]
+fn files_are_renamed_copied_deleted_and_brought_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/overhung-elastic.toml");
+    let designs = folder.path().join("designs");
+    std::fs::create_dir(&designs).unwrap();
+    std::fs::copy(&shipped, designs.join("first.toml")).unwrap();
+    let keys = folder.path().join("keys.toml");
+    std::fs::write(&keys, "[library]\n\"ctrl-y\" = \"duplicate\"\nx = \"nothing\"\n").unwrap();
+    let files = || {
+        let entries = std::fs::read_dir(&designs).unwrap();
+        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.retain(|name| !name.starts_with('.'));
+        names.sort();
+        names
+    };
+    let (keys, shown) = (keys.display().to_string(), designs.display().to_string());
+    let mut terminal = Terminal::program(&["--keys", &keys, &shown], &[]);
+    terminal.wait_for_text("line 3: there is no action `nothing`");
+    terminal.wait_for_text(FRAME);
+    terminal.press("r\x15second\r");
+    terminal.wait_for_text("renamed first to second");
+    assert_eq!(files(), ["second.toml"]);
+    terminal.press("\x19\r");
+    terminal.wait_for_text("Designs 1 of 2");
+    assert_eq!(files(), ["second-2.toml", "second.toml"]);
+    terminal.press("Dy");
+    terminal.wait_for_text("deleted second-2");
+    assert_eq!(files(), ["second.toml"]);
+    terminal.press("u");
+    terminal.wait_for_text("second-2 is back");
+    let copy = std::fs::read(designs.join("second-2.toml")).unwrap();
+    assert_eq!(copy, std::fs::read(&shipped).unwrap());
+    // something else has taken the name meanwhile: nothing is lost
+    terminal.press("Dy");
+    terminal.wait_for_text("deleted second-2");
+    std::fs::write(designs.join("second-2.toml"), "another").unwrap();
+    terminal.press("u");
+    terminal.wait_for_text("there is a file of that name");
+    assert_eq!(std::fs::read_to_string(designs.join("second-2.toml")).unwrap(), "another");
+    terminal.press("\x03");
+    assert!(terminal.wait(LONG).success());
+}
+
 #[test]
 fn keys_reach_the_explorer_and_an_idle_one_writes_nothing() {
     let mut terminal = Terminal::start("child_explorer", &[]);

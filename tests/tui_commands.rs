@@ -291,9 +291,10 @@ fn remapped_keys_are_in_force_and_shown_everywhere() {
 #[test]
 fn what_is_wrong_with_the_keys_is_said_and_can_be_read_in_full() {
     let mut screen = Folder::screen(80, 24);
-    screen
-        .app
-        .complain_at_length("keys: line 3: there is no action `jump`; ! shows all", "keys.toml:3:8: error: ...".into());
+    screen.app.complain_at_length(
+        "keys (! shows all): line 3: there is no action `jump`",
+        "keys.toml:3:8: error: ...".into(),
+    );
     screen.draw();
     assert!(screen.text().contains("there is no action `jump`"), "{}", screen.text());
     screen.keys("j");

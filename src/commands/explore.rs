@@ -104,6 +104,16 @@ impl Files {
     }
 }
 
+/// The message without the library's folders: there is little room, and the header names them.
+fn without_folders(message: &str, paths: &[PathBuf]) -> String {
+    let folders = paths.iter().flat_map(|path| [Some(path.as_path()), path.parent()]).flatten();
+    let folders = folders.filter(|folder| !folder.as_os_str().is_empty());
+    folders.fold(message.to_owned(), |message, folder| {
+        let folder = format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR);
+        message.strip_prefix(&*printable(&folder)).map_or(message.clone(), str::to_owned)
+    })
+}
+
 impl Backend for Files {
     fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
         match design::load(path) {
@@ -139,7 +149,7 @@ impl Backend for Files {
                 library::restore(&trashed).map(|path| FileDone::Restored { path })
             }
         };
-        let done = done.map_err(|error| error.to_string())?;
+        let done = done.map_err(|error| without_folders(&error.to_string(), &self.paths()))?;
         self.follow(&done);
         Ok(done)
     }

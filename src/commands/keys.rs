@@ -65,7 +65,7 @@ impl KeysArg {
         let key = read.keys.of(Mode::Library, Action::Messages, true).into_iter().next();
         let key = key.unwrap_or_else(|| format!(":{}", Action::Messages.name()));
         let report =
-            (!read.report.is_empty()).then(|| (format!("keys: {}; {key} shows all", read.summary), read.report));
+            (!read.report.is_empty()).then(|| (format!("keys ({key} shows all): {}", read.summary), read.report));
         Ok((read.keys, report))
     }
 }

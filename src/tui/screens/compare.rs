@@ -154,7 +154,9 @@ fn render_table(lines: &[Cells], top: usize, theme: &Theme, area: Rect, buffer: 
         cells.max().unwrap_or(0)
     };
     let unit = widest(3).clamp(4, 12);
-    let value = widest(1).max(widest(2)).clamp(6, (all / 4).max(6));
+    // a long text gives way to the labels, a number does not
+    let left = all.saturating_sub(widest(0) + unit + 5) / 2;
+    let value = widest(1).max(widest(2)).clamp(6, left.max(11));
     let label = all.saturating_sub(2 * (value + 2) + unit + 1);
     let ellipsis = theme.glyphs.ellipsis;
     let line = |[name, a, b, of]: [&str; 4]| {
