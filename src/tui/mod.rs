@@ -21,6 +21,7 @@ pub mod app;
 pub mod axis;
 pub mod backend;
 pub mod caps;
+pub mod editor;
 pub mod effects;
 mod input;
 pub mod keymap;
@@ -38,7 +39,7 @@ pub mod view;
 pub mod widgets;
 pub mod worker;
 
-pub use backend::{Backend, BrokenDesign, LoadedDesign};
+pub use backend::{Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 use app::App;
 use caps::Capabilities;

@@ -48,6 +48,17 @@ impl App {
                 self.solved(ticket, &path, result);
                 Vec::new()
             }
+            Message::Opened { path, result } => self.opened(path, result),
+            Message::Progress { ticket, done } => {
+                self.progress(ticket, done);
+                Vec::new()
+            }
+            Message::SolvedEdited { ticket, path, result } => {
+                self.solved_edited(ticket, &path, result);
+                Vec::new()
+            }
+            Message::Saved { path, text, result } => self.saved(&path, text, result),
+            Message::VariantSaved { original, result } => self.variant_saved(&original, result),
             Message::Listed(Ok(paths)) => {
                 self.notice = None;
                 self.library.replace(paths);
@@ -104,14 +115,17 @@ impl App {
             return Vec::new();
         }
         if let Some(action) = keymap::action(self.mode, event) {
-            return self.act(action);
+            return match self.act_in_editor(action) {
+                Some(effects) => effects,
+                None => self.act(action),
+            };
         }
         match event.code {
-            KeyCode::Char(letter)
-                if self.mode == Mode::Filter
-                    && !event.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT) =>
-            {
-                self.edit_filter(|filter| filter.push(letter))
+            KeyCode::Char(letter) if !event.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT) => {
+                match self.mode {
+                    Mode::Filter => self.edit_filter(|filter| filter.push(letter)),
+                    _ => self.type_in_editor(letter),
+                }
             }
             _ => Vec::new(),
         }
@@ -120,7 +134,7 @@ impl App {
     /// Text from the clipboard is text and never keys: a `q` in it does not quit.
     fn paste(&mut self, text: &str) -> Vec<Effect> {
         if self.mode != Mode::Filter {
-            return Vec::new();
+            return if Mode::TYPING.contains(&self.mode) { self.paste_in_editor(text) } else { Vec::new() };
         }
         let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
         self.edit_filter(|filter| filter.push_str(&line))
@@ -174,7 +188,12 @@ impl App {
                 self.help_scroll.top = 0;
                 Vec::new()
             }
-            Action::Quit => vec![Effect::Quit(Ending::Quit)],
+            Action::Quit => self.quit(),
+            Action::OpenEditor => self.open_editor(),
+            Action::SaveAll => self.save_all(),
+            Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
+            // the rest is the editor's
+            _ => Vec::new(),
         }
     }
 
@@ -183,6 +202,7 @@ impl App {
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
             Mode::Help => self.help_scroll.page(),
+            _ => 0,
         }
     }
 
@@ -194,6 +214,7 @@ impl App {
             }
             Mode::Text => self.detail.text_scroll.by(by),
             Mode::Help => self.help_scroll.by(by),
+            _ => {}
         }
         Vec::new()
     }
@@ -210,14 +231,17 @@ impl App {
         match self.mode {
             Mode::Help => {
                 // the text may have gone while the help lay over it
-                let to_text = self.mode_below_help == Mode::Text && self.has_text();
-                self.mode = if to_text { Mode::Text } else { Mode::Library };
+                let gone = self.mode_below_help == Mode::Text && !self.has_text();
+                self.mode = if gone { Mode::Library } else { self.mode_below_help };
+                self.follow_editor();
             }
+            Mode::Leave => self.stay(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {
                 self.mode = Mode::Library;
                 return self.edit_filter(String::clear);
             }
+            _ => {}
         }
         Vec::new()
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use bevelscope::agreement::Agreement;
-use bevelscope::comparison::{Comparison, SolveError, Spectrum};
+use bevelscope::comparison::{Comparison, Observer, SolveError, Spectrum};
 use bevelscope::design::Side;
 use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
@@ -50,7 +50,7 @@ impl Backend for MadeUp {
         Ok(loaded)
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, _: &mut Observer<'_'>) -> Result<Comparison, SolveError> {
         if design.name.starts_with("unsolvable") {
             return Err(not_solved(RotorError::Unsupported(vec![Motion::ThX])));
         }
