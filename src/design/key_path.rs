@@ -39,26 +39,32 @@ impl KeyPath {
 
     #[must_use]
     pub fn key(&self, key: &str) -> Self {
-        self.step(Step::Key(key.into()))
+        self.with(Step::Key(key.into()))
     }
 
     #[must_use]
     pub fn place(&self, place: usize) -> Self {
-        self.step(Step::Place(place))
+        self.with(Step::Place(place))
     }
 
     #[must_use]
     pub fn name(&self, name: &str) -> Self {
-        self.step(Step::Name(name.into()))
+        self.with(Step::Name(name.into()))
     }
 
-    fn step(&self, step: Step) -> Self {
+    #[must_use]
+    pub fn with(&self, step: Step) -> Self {
         let steps = self.steps.iter().cloned().chain([step]).collect();
         Self { steps }
     }
 
     pub fn steps(&self) -> &[Step] {
         &self.steps
+    }
+
+    /// Is it the other path, or does it lead further than that?
+    pub fn starts_with(&self, other: &Self) -> bool {
+        self.steps.starts_with(&other.steps)
     }
 
     /// The way to the table or list around it, and the last step; nothing for the whole file.

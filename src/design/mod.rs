@@ -15,6 +15,7 @@ mod edit;
 mod finding;
 pub mod grid;
 mod key_path;
+mod label;
 pub mod library;
 mod load;
 mod model;

@@ -5,6 +5,7 @@
 
 use crate::units::Quantity;
 
+use super::key_path::{KeyPath, Step};
 use super::model::Design;
 
 /// The whole file.
@@ -114,6 +115,16 @@ impl Table {
         self.fields.iter().find(|field| field.key == key)
     }
 
+    /// The fields in order: its own, then those that a choice of [`Kind::Variant`] brings.
+    pub fn all_fields(&'static self) -> impl Iterator<Item = &'static Field> {
+        let chosen = |field: &'static Field| match field.kind {
+            Kind::Variant(variants) => variants,
+            _ => &[],
+        };
+        let chosen = self.fields.iter().flat_map(chosen).filter_map(|variant| variant.table);
+        self.fields.iter().chain(chosen.flat_map(|table| table.fields))
+    }
+
     /// This table and every table below it, each once, parents first. The keys of variants come as tables of their own.
     pub fn walk(&'static self) -> Vec<&'static Table> {
         let mut tables = vec![self];
@@ -130,7 +141,50 @@ impl Table {
     }
 }
 
+/// Where a key path leads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Target {
+    /// The table that has the field, or the last table where the path leads to one
+    pub table: &'static Table,
+    /// Nothing where the path leads to a table
+    pub field: Option<&'static Field>,
+    /// How many steps of the path lead to that table
+    pub steps: usize,
+}
+
+/// Follows a key path through the schema; nothing where it leads nowhere. Steps after a field that is no table are entries
+/// of its value.
+pub fn target(path: &KeyPath) -> Option<Target> {
+    let mut target = Target { table: ROOT, field: None, steps: 0 };
+    let mut named = false;
+    for (i, step) in path.steps().iter().enumerate() {
+        match step {
+            _ if target.field.is_some() => return Some(target),
+            Step::Key(_) if named => named = false,
+            Step::Key(key) => {
+                let field = target.table.all_fields().find(|field| field.key == *key)?;
+                named = matches!(field.kind, Kind::NamedTables(_));
+                match field.kind {
+                    Kind::Table(table) | Kind::Tables(table, _) | Kind::NamedTables(table) => target.table = table,
+                    _ => {
+                        target.field = Some(field);
+                        continue;
+                    }
+                }
+            }
+            Step::Place(_) | Step::Name(_) => {}
+        }
+        target.steps = i + 1;
+    }
+    Some(target)
+}
+
 impl Field {
+    /// What it is called in a few words: `outer diameter`.
+    pub fn label(&self) -> String {
+        if self.name.is_empty() { self.key.replace('_', " ") } else { self.name.replace('_', " ") }
+    }
+
     /// The tables right below this field.
     pub fn tables(&self) -> Vec<&'static Table> {
         match self.kind {

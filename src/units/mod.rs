@@ -1,5 +1,6 @@
 //! Quantities at the edges of the program: which unit a number is written in, and what it is in SI.
 
+mod accepted;
 mod typed;
 
 pub use typed::{Typed, UnitError, parse};

@@ -1,6 +1,7 @@
 //! A design that is being edited: its text, what it says, and how it came to be.
 
-use super::{Edit, EditName};
+use super::history::History;
+use super::{Edit, EditName, steps};
 use crate::design::grid::{Grid, Sheet};
 use crate::design::{Document, EditError, KeyPath, Reading, read};
 
@@ -10,6 +11,7 @@ pub struct Editor {
     document: Document,
     saved: String,
     reading: Reading,
+    history: History,
 }
 
 /// What an edit did.
@@ -31,7 +33,7 @@ impl Editor {
     pub fn new(text: impl Into<String>) -> Result<Self, EditError> {
         let document = Document::parse(text)?;
         let (saved, reading) = (document.text().to_owned(), read(document.text()));
-        Ok(Self { document, saved, reading })
+        Ok(Self { document, saved, reading, history: History::default() })
     }
 
     /// Makes the edit as a whole or not at all. The design may have errors afterwards: the [findings](Reading) say so.
@@ -40,28 +42,40 @@ impl Editor {
     ///
     /// [`EditError`] where the edit cannot be made, or where the text would be no TOML after it.
     pub fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
-        let _ = edit;
-        Err(EditError::NotThere(KeyPath::root()))
+        let name = EditName::of(edit, &self.document.tree());
+        let mut steps = steps::Steps::new(self.document.clone());
+        let focus = steps.make(edit)?;
+        let changed = !steps.changes.is_empty();
+        if changed {
+            self.document = steps.document;
+            self.history.push(name.clone(), steps.changes);
+            self.read_again();
+        }
+        Ok(Applied { name, focus, changed })
     }
 
     /// Takes the last edit back: the text is byte for byte what it was before.
     pub fn undo(&mut self) -> Option<EditName> {
-        None
+        let name = self.history.undo(&mut self.document)?;
+        self.read_again();
+        Some(name)
     }
 
     /// Makes the edit again that was taken back last.
     pub fn redo(&mut self) -> Option<EditName> {
-        None
+        let name = self.history.redo(&mut self.document)?;
+        self.read_again();
+        Some(name)
     }
 
     /// What [`undo`](Self::undo) would take back.
     pub fn undo_name(&self) -> Option<&EditName> {
-        None
+        self.history.undo_name()
     }
 
     /// What [`redo`](Self::redo) would make again.
     pub fn redo_name(&self) -> Option<&EditName> {
-        None
+        self.history.redo_name()
     }
 
     /// Is the text another than what was saved last?
@@ -91,5 +105,9 @@ impl Editor {
     /// A table of the design, with the findings of [`reading`](Self::reading) beside the cells.
     pub fn grid(&self, sheet: &Sheet) -> Grid {
         Grid::new(self.text(), &self.reading.findings, sheet)
+    }
+
+    fn read_again(&mut self) {
+        self.reading = read(self.document.text());
     }
 }

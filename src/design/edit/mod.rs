@@ -13,9 +13,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bearing;
 mod editor;
+mod history;
+mod material;
 mod name;
+mod row;
 mod spelled;
+mod steps;
+mod value;
 
 pub use editor::{Applied, Editor};
 pub use name::EditName;

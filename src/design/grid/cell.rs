@@ -1,7 +1,7 @@
 //! One value of a table, as a person sees and edits it.
 
-use crate::design::schema::Limit;
-use crate::design::{Edit, KeyPath};
+use crate::design::KeyPath;
+use crate::design::schema::{Limit, Variant};
 use crate::units::Quantity;
 
 /// What a column, or a cell of a row's own, holds.
@@ -63,7 +63,18 @@ pub enum CellKind {
     /// One of 36 numbers, by row and column; the mirrored one changes with it
     MatrixEntry(usize, usize),
     /// The model of a bearing, one of these: the row has other cells afterwards
-    Model(&'static [&'static str]),
+    Model(&'static [Variant]),
+}
+
+impl CellKind {
+    /// The words to choose from, in order; none where anything else can be typed.
+    pub fn words(self) -> Vec<&'static str> {
+        match self {
+            Self::Choice(words) | Self::Flags(words) => words.to_vec(),
+            Self::Model(variants) => variants.iter().filter(|v| v.table.is_some()).map(|v| v.word).collect(),
+            _ => Vec::new(),
+        }
+    }
 }
 
 impl Shown {
@@ -77,19 +88,5 @@ impl Shown {
 
     pub fn is_written(&self) -> bool {
         matches!(self, Self::Written(_))
-    }
-}
-
-impl Edit {
-    /// What was typed into a cell, as an edit. Nothing typed clears the cell, so that its default holds.
-    ///
-    /// Limits are not looked at: a value beyond them can be written, and findings say so.
-    ///
-    /// # Errors
-    ///
-    /// A sentence that says what can be typed.
-    pub fn from_typed(cell: &Cell, typed: &str) -> Result<Self, String> {
-        let _ = typed;
-        Err(format!("{} cannot be edited", cell.column.label))
     }
 }

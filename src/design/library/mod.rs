@@ -8,7 +8,7 @@ mod variant;
 pub use name::{NameError, VariantName};
 pub use trash::{TRASH, Trashed, delete, restore, trashed};
 pub use tree::{Branch, tree};
-pub use variant::{About, VariantError, duplicate, rename, save_variant};
+pub use variant::{About, VariantError, duplicate, follow_parent, rename, save_variant};
 
 use std::fs;
 use std::io;

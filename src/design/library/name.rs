@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use crate::text::is_unprintable;
+
 /// A checked name of a design file, without `.toml`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct VariantName(String);
@@ -12,7 +14,7 @@ pub struct VariantName(String);
 pub enum NameError {
     #[error("a name is wanted")]
     Empty,
-    #[error("the name is too long: 100 bytes at most")]
+    #[error("the name is too long: {MAX_NAME} bytes at most")]
     TooLong,
     #[error("a name must not have {0:?} in it")]
     Character(char),
@@ -24,6 +26,13 @@ pub enum NameError {
     Reserved,
 }
 
+/// Longest name, in bytes without `.toml`.
+const MAX_NAME: usize = 100;
+
+/// Device names of Windows, with or without anything after a dot.
+const RESERVED: [&str; 4] = ["CON", "PRN", "AUX", "NUL"];
+const RESERVED_WITH_DIGIT: [&str; 2] = ["COM", "LPT"];
+
 impl VariantName {
     /// Checks a name; a `.toml` at its end is not part of it.
     ///
@@ -32,7 +41,23 @@ impl VariantName {
     /// [`NameError`] says what is wrong with it.
     pub fn new(name: &str) -> Result<Self, NameError> {
         let name = name.strip_suffix(".toml").unwrap_or(name);
-        if name.is_empty() { Err(NameError::Empty) } else { Ok(Self(name.into())) }
+        let (Some(first), Some(last)) = (name.chars().next(), name.chars().next_back()) else {
+            return Err(NameError::Empty);
+        };
+        if name.len() > MAX_NAME {
+            return Err(NameError::TooLong);
+        }
+        let is_bad = |c: &char| is_unprintable(*c) || "/\\:*?\"<>|".contains(*c);
+        if let Some(bad) = name.chars().find(is_bad) {
+            return Err(NameError::Character(bad));
+        }
+        if matches!(first, '.' | '-') || first.is_whitespace() {
+            return Err(NameError::Start(first));
+        }
+        if last == '.' || last.is_whitespace() {
+            return Err(NameError::End(last));
+        }
+        if is_reserved(name) { Err(NameError::Reserved) } else { Ok(Self(name.into())) }
     }
 
     pub fn as_str(&self) -> &str {
@@ -45,8 +70,66 @@ impl VariantName {
     }
 }
 
+fn is_reserved(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end().to_uppercase();
+    let with_digit = |device: &str| {
+        let rest = stem.strip_prefix(device).map(|rest| rest.chars().collect::<Vec<_>>());
+        matches!(rest.as_deref(), Some([c]) if c.is_ascii_digit() || "¹²³".contains(*c))
+    };
+    RESERVED.contains(&stem.as_str()) || RESERVED_WITH_DIGIT.iter().any(|device| with_digit(device))
+}
+
 impl fmt::Display for VariantName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_people_give_are_taken() {
+        for name in
+            ["a", "stiffer-bearing", "Kegelrad über alles", "v1.2", "歯車", "console", "com10", "a..b", "nul-test"]
+        {
+            assert_eq!(VariantName::new(name).unwrap().as_str(), name);
+        }
+        assert_eq!(VariantName::new("a.toml").unwrap().path_in(Path::new("x")), Path::new("x/a.toml"));
+        assert!(VariantName::new(&"a".repeat(100)).is_ok());
+    }
+
+    // Reserved names and characters: Microsoft, "Naming Files, Paths, and Namespaces".
+    #[test]
+    fn names_that_do_harm_are_not() {
+        for (name, error) in [
+            ("", NameError::Empty),
+            (".toml", NameError::Empty),
+            ("..", NameError::Start('.')),
+            ("../x", NameError::Character('/')),
+            ("a/b", NameError::Character('/')),
+            ("a\\b", NameError::Character('\\')),
+            ("C:x", NameError::Character(':')),
+            ("a\0b", NameError::Character('\0')),
+            ("a\nb", NameError::Character('\n')),
+            ("a\u{202e}b", NameError::Character('\u{202e}')),
+            ("a\u{200b}", NameError::Character('\u{200b}')),
+            (".hidden", NameError::Start('.')),
+            ("-rf", NameError::Start('-')),
+            (" a", NameError::Start(' ')),
+            ("a ", NameError::End(' ')),
+            ("a.", NameError::End('.')),
+            ("a .toml", NameError::End(' ')),
+            ("CON", NameError::Reserved),
+            ("nul", NameError::Reserved),
+            ("Nul.txt", NameError::Reserved),
+            ("com1", NameError::Reserved),
+            ("LPT9.x", NameError::Reserved),
+            ("COM²", NameError::Reserved),
+        ] {
+            assert_eq!(VariantName::new(name), Err(error), "{name:?}");
+        }
+        assert_eq!(VariantName::new(&"ä".repeat(51)), Err(NameError::TooLong));
     }
 }

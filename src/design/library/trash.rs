@@ -1,8 +1,11 @@
 //! Deleted designs, which can be had back: they lie in a hidden folder of their library.
 
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
 
-use crate::design::SaveError;
+use crate::design::save::{SaveError, move_to_free};
 
 /// The hidden folder, in the library's.
 pub const TRASH: &str = ".trash";
@@ -24,8 +27,34 @@ pub struct Trashed {
 ///
 /// [`SaveError`]; the file is where it was then.
 pub fn delete(path: &Path) -> Result<Trashed, SaveError> {
-    Err(SaveError::NoFile(path.into()))
+    match fs::symlink_metadata(path) {
+        Ok(file) if file.is_dir() => return Err(SaveError::Folder(path.into())),
+        Ok(_) => {}
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(SaveError::NotThere(path.into())),
+        Err(source) => return Err(SaveError::Io { path: path.into(), doing: "cannot be reached", source }),
+    }
+    let trash = path.parent().unwrap_or(Path::new("")).join(TRASH);
+    let made = fs::create_dir_all(&trash);
+    made.map_err(|source| SaveError::Io { path: trash.clone(), doing: "the trash cannot be made", source })?;
+    let name = path.file_name().unwrap_or_default();
+    let stamp = stamp(SystemTime::now());
+    // several of the same name may be deleted in one second
+    for number in 0..MOST_IN_A_SECOND {
+        let mut trashed = std::ffi::OsString::from(format!("{stamp}.{number:03}."));
+        trashed.push(name);
+        let to = trash.join(trashed);
+        match move_to_free(path, &to) {
+            Ok(()) => {
+                return Ok(Trashed { path: to, file_name: name.to_string_lossy().into_owned(), when: when(&stamp) });
+            }
+            Err(SaveError::Exists(_)) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(SaveError::Exists(trash))
 }
+
+const MOST_IN_A_SECOND: u32 = 1000;
 
 /// Moves a deleted file back to where it was.
 ///
@@ -33,11 +62,110 @@ pub fn delete(path: &Path) -> Result<Trashed, SaveError> {
 ///
 /// [`SaveError::Exists`] where another file has its name by now.
 pub fn restore(trashed: &Trashed) -> Result<PathBuf, SaveError> {
-    Err(SaveError::NoFile(trashed.path.clone()))
+    let lost = || SaveError::NotThere(trashed.path.clone());
+    let folder = trashed.path.parent().and_then(Path::parent).ok_or_else(lost)?;
+    // as it is on disk, which need not be text
+    let name = trashed.path.file_name().and_then(|name| before(Path::new(name))).ok_or_else(lost)?;
+    let to = folder.join(name);
+    move_to_free(&trashed.path, &to)?;
+    Ok(to)
 }
 
 /// What was deleted from a folder, the latest first.
 pub fn trashed(folder: &Path) -> Vec<Trashed> {
-    let _ = folder;
-    Vec::new()
+    let entries = fs::read_dir(folder.join(TRASH)).into_iter().flatten().flatten();
+    let found = entries.filter_map(|entry| {
+        let name = entry.file_name();
+        let file_name = before(Path::new(&name))?.to_string_lossy().into_owned();
+        Some(Trashed { path: entry.path(), file_name, when: when(&name.to_string_lossy()) })
+    });
+    let mut found: Vec<Trashed> = found.collect();
+    found.sort_by(|a, b| b.path.cmp(&a.path));
+    found
+}
+
+/// Length of `20250131T120000Z.000.`
+const STAMP: usize = 21;
+
+/// The name before the deletion.
+fn before(trashed: &Path) -> Option<std::ffi::OsString> {
+    let bytes = trashed.as_os_str().as_encoded_bytes();
+    let (stamp, _) = bytes.split_at_checked(STAMP)?;
+    let stamp = std::str::from_utf8(stamp).ok()?;
+    let shape: String = stamp.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
+    if shape != "00000000T000000Z.000." || bytes.len() == STAMP {
+        return None;
+    }
+    strip(trashed.as_os_str())
+}
+
+#[cfg(unix)]
+fn strip(name: &std::ffi::OsStr) -> Option<std::ffi::OsString> {
+    use std::os::unix::ffi::OsStrExt;
+    Some(std::ffi::OsStr::from_bytes(name.as_bytes().get(STAMP..)?).into())
+}
+
+#[cfg(not(unix))]
+fn strip(name: &std::ffi::OsStr) -> Option<std::ffi::OsString> {
+    Some(name.to_str()?.get(STAMP..)?.into())
+}
+
+/// `20250131T120000Z`, which sorts by time.
+fn stamp(time: SystemTime) -> String {
+    let seconds = time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+    let (days, second) = (seconds / 86_400, seconds % 86_400);
+    let (year, month, day) = date(days);
+    format!("{year:04}{month:02}{day:02}T{:02}{:02}{:02}Z", second / 3600, second / 60 % 60, second % 60)
+}
+
+/// Year, month and day of the Gregorian calendar, from days since 1970-01-01 (Hinnant, "chrono-compatible low-level date
+/// algorithms", `civil_from_days`).
+fn date(days: u64) -> (u64, u64, u64) {
+    let days = days + 719_468;
+    let (era, day_of_era) = (days / 146_097, days % 146_097);
+    let year = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year + year / 4 - year / 100);
+    let month = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * month + 2) / 5 + 1;
+    let month = if month < 10 { month + 3 } else { month - 9 };
+    (year + era * 400 + u64::from(month <= 2), month, day)
+}
+
+/// A stamp as people read it.
+fn when(stamp: &str) -> String {
+    let part = |range: std::ops::Range<usize>| stamp.get(range).unwrap_or_default();
+    let (date, time) =
+        ([part(0..4), part(4..6), part(6..8)].join("-"), [part(9..11), part(11..13), part(13..15)].join(":"));
+    format!("{date} {time}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    // Dates by `date -u -d @SECONDS`.
+    #[test]
+    fn stamps_are_dates() {
+        for (seconds, expected) in [
+            (0, "19700101T000000Z"),
+            (951_782_400, "20000229T000000Z"),
+            (1_709_251_199, "20240229T235959Z"),
+            (4_107_542_400, "21000301T000000Z"),
+        ] {
+            assert_eq!(stamp(UNIX_EPOCH + Duration::from_secs(seconds)), expected);
+        }
+        assert_eq!(when("20240229T235959Z.000.a.toml"), "2024-02-29 23:59:59");
+    }
+
+    #[test]
+    fn only_what_was_deleted_here_is_had_back() {
+        let name = |trashed: &str| before(Path::new(trashed)).map(|name| name.into_string().unwrap());
+        assert_eq!(name("20240229T235959Z.000.a.b.toml"), Some("a.b.toml".into()));
+        for foreign in
+            ["a.toml", "20240229T235959Z.000.", "20240229T235959Z.00a.toml", "", "2024022ä235959Z.000.a.toml"]
+        {
+            assert_eq!(name(foreign), None, "{foreign}");
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! Variants under the design that they came from.
 
+use std::collections::HashMap;
+
 /// A file in tree order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Branch {
@@ -12,5 +14,65 @@ pub struct Branch {
 /// Brings files, given as (file stem, parent), in tree order: each followed by its children, otherwise in the order given.
 /// One whose parent is not there stands at the top, and so does the first one of a circle. Each comes exactly once.
 pub fn tree(files: &[(&str, Option<&str>)]) -> Vec<Branch> {
-    files.iter().enumerate().map(|(index, _)| Branch { index, depth: 0 }).collect()
+    let mut place: HashMap<&str, usize> = HashMap::new();
+    for (index, (stem, _)) in files.iter().enumerate() {
+        // of two with the same name (from two folders) the first one is the parent
+        place.entry(stem).or_insert(index);
+    }
+    let parent = |index: usize| files[index].1.and_then(|parent| place.get(parent)).copied().filter(|p| *p != index);
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); files.len()];
+    let mut tops = Vec::new();
+    for index in 0..files.len() {
+        match parent(index) {
+            Some(parent) => children[parent].push(index),
+            None => tops.push(index),
+        }
+    }
+    let mut order = Vec::with_capacity(files.len());
+    let mut seen = vec![false; files.len()];
+    // whatever no top leads to is in a circle, or hangs on one
+    for top in tops.into_iter().chain(0..files.len()) {
+        let mut open = vec![Branch { index: top, depth: 0 }];
+        while let Some(branch) = open.pop() {
+            if std::mem::replace(&mut seen[branch.index], true) {
+                continue;
+            }
+            order.push(branch);
+            let below = children[branch.index].iter().rev();
+            open.extend(below.map(|index| Branch { index: *index, depth: branch.depth + 1 }));
+        }
+    }
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(files: &[(&str, Option<&str>)]) -> String {
+        let line = |branch: Branch| format!("{}{}", "-".repeat(branch.depth), files[branch.index].0);
+        tree(files).into_iter().map(line).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn children_follow_their_parent() {
+        let files = [("a", Some("c")), ("b", None), ("c", None), ("d", Some("a")), ("e", Some("c")), ("f", Some("b"))];
+        assert_eq!(shown(&files), "b -f c -a --d -e");
+    }
+
+    #[test]
+    fn orphans_stand_at_the_top_and_circles_come_once() {
+        assert_eq!(shown(&[("a", Some("gone")), ("b", Some("b"))]), "a b");
+        let circle = [("x", Some("a")), ("a", Some("c")), ("b", Some("a")), ("c", Some("b")), ("d", None)];
+        assert_eq!(shown(&circle), "d x a -b --c");
+        assert_eq!(shown(&[("same", None), ("same", None), ("child", Some("same"))]), "same -child same");
+    }
+
+    #[test]
+    fn a_long_line_of_descent_is_no_matter() {
+        let stems: Vec<String> = (0..100_000).map(|i| i.to_string()).collect();
+        let parent = |i: usize| i.checked_sub(1).map(|i| stems[i].as_str());
+        let files: Vec<(&str, Option<&str>)> = stems.iter().enumerate().map(|(i, s)| (s.as_str(), parent(i))).collect();
+        assert_eq!(tree(&files).len(), files.len());
+    }
 }

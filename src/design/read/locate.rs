@@ -8,20 +8,13 @@ use super::Value;
 use crate::design::key_path::{KeyPath, Step};
 use crate::design::schema::{Kind, Presence, ROOT, Table, Written};
 
-/// How far a key path leads.
-pub(crate) struct Walk<'r> {
-    /// The last value that is there; nothing where the first step already fails, or for the whole file
-    pub value: Option<&'r Value<'r>>,
-    /// How many steps were found
-    pub steps: usize,
-}
-
-/// Follows the path as far as it goes. Names are those written, or those that follow from the place.
-pub(crate) fn walk<'r>(root: &'r DeTable<'r>, path: &KeyPath) -> Walk<'r> {
-    let mut walk = Walk { value: None, steps: 0 };
+/// The place in the text that a key path leads to, or that of the nearest table around it. Names are those written, or those
+/// that follow from the place.
+pub(crate) fn locate(root: &DeTable<'_>, path: &KeyPath) -> Range<usize> {
+    let mut value: Option<&Value<'_>> = None;
     let mut schema = Some(ROOT);
     for step in path.steps() {
-        let found = match (step, walk.value.map(toml::Spanned::get_ref)) {
+        let found = match (step, value.map(toml::Spanned::get_ref)) {
             (Step::Key(key), None) => root.get(key.as_str()),
             (Step::Key(key), Some(DeValue::Table(table))) => table.get(key.as_str()),
             (Step::Place(place), Some(DeValue::Array(entries))) => entries.get(*place),
@@ -32,9 +25,9 @@ pub(crate) fn walk<'r>(root: &'r DeTable<'r>, path: &KeyPath) -> Walk<'r> {
         };
         let Some(found) = found else { break };
         schema = below(schema, step);
-        walk = Walk { value: Some(found), steps: walk.steps + 1 };
+        value = Some(found);
     }
-    walk
+    value.map_or(0..0, toml::Spanned::span)
 }
 
 /// The schema after a step; entries of a list have that of the list.
@@ -58,9 +51,4 @@ fn is_named(entry: &Value<'_>, place: usize, name: &str, schema: Option<&Table>)
         }
         _ => false,
     }
-}
-
-/// The place in the text that a key path leads to, or that of the nearest table around it.
-pub(crate) fn locate(root: &DeTable<'_>, path: &KeyPath) -> Range<usize> {
-    walk(root, path).value.map_or(0..0, toml::Spanned::span)
 }

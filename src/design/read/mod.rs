@@ -7,7 +7,7 @@ mod scalar;
 mod table;
 mod written;
 
-pub(super) use locate::{locate, walk};
+pub(super) use locate::locate;
 pub(super) use nearest::{did_you_mean, listed};
 pub(super) use table::{FromFile, FromTable, TableReader};
 

@@ -1,0 +1,122 @@
+//! Giving a bearing another model.
+
+use super::steps::Steps;
+use super::{Spelled, row};
+use crate::design::document::Tree;
+use crate::design::key_path::KeyPath;
+use crate::design::schema::{Field, Kind, Presence, Table, Variant, Written, target};
+use crate::design::{EditError, Hold};
+
+/// The springs of a diagonal bearing with their places in the matrix.
+const SPRINGS: [(&str, usize); 5] =
+    [("kx_n_per_m", 0), ("ky_n_per_m", 1), ("kz_n_per_m", 2), ("krx_n_m_per_rad", 3), ("krz_n_m_per_rad", 5)];
+
+/// What a held translation becomes as a spring, N/m: stiffer than rolling bearings, soft enough for good numerics.
+const STIFF: &str = "1.0e9";
+const NONE: &str = "0.0";
+
+const STIFFNESS: &str = "stiffness";
+const HOLD: &str = "hold";
+const AXIAL_SERIES: &str = "axial_series_stiffness_n_per_m";
+
+/// Takes the keys of the other models out, and writes those of the new one that must be there. What the old model says
+/// about a direction, the new one says in its way.
+pub(super) fn set_model(steps: &mut Steps, bearing: &KeyPath, word: &str) -> Result<KeyPath, EditError> {
+    let tree = steps.tree();
+    let row = tree.at(bearing).cloned().ok_or_else(|| EditError::NotThere(bearing.clone()))?;
+    let (field, variants) = choice(bearing).ok_or_else(|| EditError::NotThere(bearing.key("model")))?;
+    let table = table_of(variants, word)?;
+    let path = bearing.key(field.key);
+    let default = match field.presence {
+        Presence::Default(Written::Text(word)) => Some(word.to_owned()),
+        _ => None,
+    };
+    let old = row.get(field.key).map_or(default, Tree::text);
+    if old.as_deref() == Some(word) {
+        return Ok(path);
+    }
+    steps.put(&path, Spelled::text(word).as_str())?;
+    let keys = new_keys(steps, bearing, &row, table);
+    let others = variants.iter().filter_map(|variant| variant.table).flat_map(|table| table.fields);
+    for key in others.map(|field| field.key).filter(|key| table.field(key).is_none() && row.get(key).is_some()) {
+        if steps.tree().at(&bearing.key(key)).is_some() {
+            steps.remove(&bearing.key(key))?;
+        }
+    }
+    let holds_y = keys.iter().any(|(key, value)| *key == HOLD && value.contains("\"y\""));
+    for (key, value) in keys {
+        steps.put(&bearing.key(key), &value)?;
+    }
+    if holds_y && row.get(AXIAL_SERIES).is_some() {
+        steps.remove(&bearing.key(AXIAL_SERIES))?;
+    }
+    Ok(path)
+}
+
+/// The key that chooses among models.
+fn choice(bearing: &KeyPath) -> Option<(&'static Field, &'static [Variant])> {
+    target(bearing)?.table.fields.iter().find_map(|field| match field.kind {
+        Kind::Variant(variants) => Some((field, variants)),
+        _ => None,
+    })
+}
+
+fn table_of(variants: &'static [Variant], word: &str) -> Result<&'static Table, EditError> {
+    match variants.iter().find(|variant| variant.word == word) {
+        Some(Variant { table: Some(table), .. }) => Ok(table),
+        Some(_) => Err(EditError::Refused(format!("model \"{word}\" is not supported yet"))),
+        None => {
+            let words: Vec<&str> = variants.iter().filter(|v| v.table.is_some()).map(|v| v.word).collect();
+            Err(EditError::Refused(format!("the model must be one of {}", words.join(", "))))
+        }
+    }
+}
+
+/// The keys that the new model starts with.
+fn new_keys(steps: &Steps, bearing: &KeyPath, row: &Tree, table: &'static Table) -> Vec<(&'static str, String)> {
+    let diagonal = diagonal(row);
+    let is_stiff = |i: usize| Tree::Value(diagonal[i].clone()).number().is_some_and(|stiffness| stiffness > 0.0);
+    let held: Vec<&str> = Hold::WORDS.iter().enumerate().filter(|(i, _)| is_stiff(*i)).map(|(_, word)| *word).collect();
+    let held = if held.is_empty() { Hold::WORDS.to_vec() } else { held };
+    let value = |field: &'static Field| {
+        if let Some((key, place)) = SPRINGS.iter().find(|(key, _)| *key == field.key) {
+            return Some((*key, diagonal[*place].clone()));
+        }
+        match field.key {
+            STIFFNESS => {
+                let entry = |i: usize, j: usize| if i == j { diagonal[i].clone() } else { NONE.to_owned() };
+                let rows = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+                Some((STIFFNESS, matrix(steps, bearing, &rows)))
+            }
+            HOLD => Some((HOLD, Spelled::texts(held.iter().copied()).as_str().into())),
+            key if row.get(key).is_some() => None,
+            key => (field.presence == Presence::Required).then(|| (key, row::first(field))),
+        }
+    };
+    table.fields.iter().filter_map(value).collect()
+}
+
+/// The diagonal of the stiffness as the old model has it, spelled as there.
+fn diagonal(row: &Tree) -> [String; 6] {
+    let held = row.get(HOLD).map(|hold| hold.entries().iter().filter_map(Tree::text).collect::<Vec<_>>());
+    std::array::from_fn(|i| {
+        let spring = SPRINGS.iter().find(|(_, place)| *place == i).and_then(|(key, _)| row.get(key));
+        let entry = row.get(STIFFNESS).and_then(|rows| rows.entries().get(i)?.entries().get(i));
+        if let Some(value) = spring.or(entry).filter(|value| value.number().is_some()) {
+            return value.raw().unwrap_or(NONE).into();
+        }
+        let is_held = |held: &Vec<String>| Hold::WORDS.get(i).is_some_and(|word| held.iter().any(|held| held == word));
+        if held.as_ref().is_some_and(is_held) { STIFF.into() } else { NONE.into() }
+    })
+}
+
+/// Six rows of six numbers: each in a line of its own, unless the bearing stands in one line.
+pub(super) fn matrix(steps: &Steps, bearing: &KeyPath, rows: &[[String; 6]; 6]) -> String {
+    let rows: Vec<String> = rows.iter().map(|row| format!("[{}]", row.join(", "))).collect();
+    if steps.document.raw(bearing).is_some() {
+        return format!("[{}]", rows.join(", "));
+    }
+    let line_break = steps.document.line_break();
+    let between = format!(",{line_break}    ");
+    format!("[{line_break}    {},{line_break}]", rows.join(&between))
+}

@@ -1,0 +1,113 @@
+//! What is typed into a cell, as an edit.
+
+use super::make::matrix_unit;
+use super::{Cell, CellKind};
+use crate::design::document::Tree;
+use crate::design::{Edit, Spelled};
+use crate::text::excerpt;
+use crate::units::{Quantity, parse};
+
+impl Edit {
+    /// What was typed into a cell, as an edit. Nothing typed clears the cell, so that its default holds.
+    ///
+    /// Limits are not looked at: a value beyond them can be written, and findings say so.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that says what can be typed.
+    pub fn from_typed(cell: &Cell, typed: &str) -> Result<Self, String> {
+        let typed = typed.trim();
+        if typed.is_empty() {
+            return clear(cell);
+        }
+        let value = match cell.kind {
+            CellKind::Number(quantity, _) | CellKind::VectorEntry(quantity) => number(typed, quantity)?,
+            CellKind::MatrixEntry(row, column) => matrix_entry(typed, row, column)?,
+            CellKind::Whole(..) => whole(typed)?,
+            CellKind::Text | CellKind::Name => Spelled::text(typed),
+            CellKind::Texts => texts(typed)?,
+            CellKind::Choice(words) => Spelled::text(choose(typed, words)?),
+            CellKind::Flags(words) => flags(typed, words)?,
+            CellKind::Model(_) => {
+                let model = choose(typed, &cell.kind.words())?.to_owned();
+                let bearing = cell.path.split_last().map(|(bearing, _)| bearing).unwrap_or_default();
+                return Ok(Self::SetModel { bearing, model });
+            }
+        };
+        Ok(Self::Set { path: cell.path.clone(), value })
+    }
+}
+
+fn clear(cell: &Cell) -> Result<Edit, String> {
+    if cell.required {
+        return Err(format!("{} cannot be left empty", cell.column.label));
+    }
+    Ok(Edit::Remove { path: cell.path.clone() })
+}
+
+fn number(typed: &str, quantity: Quantity) -> Result<Spelled, String> {
+    let typed = parse(typed, quantity).map_err(|error| error.to_string())?;
+    Spelled::parse(&typed.text).ok_or_else(|| "a number is wanted".into())
+}
+
+fn matrix_entry(typed: &str, row: usize, column: usize) -> Result<Spelled, String> {
+    match matrix_unit(row, column) {
+        "N/m" => number(typed, Quantity::Stiffness),
+        "N m/rad" => number(typed, Quantity::AngularStiffness),
+        // a force is no quantity of the file: N and kN are as N/m and kN/m
+        unit => {
+            let force = typed.strip_suffix("/rad").unwrap_or(typed).trim_end();
+            let per_metre = force.strip_suffix('N').map_or_else(|| force.to_owned(), |rest| format!("{rest}N/m"));
+            let wanted = |_| format!("a number is wanted in {unit}, e.g. -7e6 or -7000 kN");
+            number(&per_metre, Quantity::Stiffness).map_err(wanted)
+        }
+    }
+}
+
+fn whole(typed: &str) -> Result<Spelled, String> {
+    let wanted = || format!("a whole number is wanted; this is {}", excerpt(typed, 40));
+    let number = Spelled::parse(typed).ok_or_else(wanted)?;
+    let value = Tree::read_value(number.as_str()).number().ok_or_else(wanted)?;
+    if value.fract() == 0.0 { Ok(number) } else { Err(wanted()) }
+}
+
+/// `a, b`, or a list as in the file.
+fn texts(typed: &str) -> Result<Spelled, String> {
+    if typed.starts_with('[') {
+        let list = Spelled::parse(typed).ok_or("a list is wanted: [\"a\", \"b\"], or a, b")?;
+        let tree = Tree::read_value(list.as_str());
+        if tree.entries().iter().any(|entry| entry.text().is_none()) {
+            return Err("a list of texts is wanted: [\"a\", \"b\"], or a, b".into());
+        }
+        return Ok(list);
+    }
+    Ok(Spelled::texts(typed.split(',').map(str::trim).filter(|text| !text.is_empty())))
+}
+
+/// The word, or the only one that begins like that.
+fn choose(typed: &str, words: &[&'static str]) -> Result<&'static str, String> {
+    let typed = typed.trim_matches('"').to_lowercase();
+    if let Some(word) = words.iter().find(|word| **word == typed) {
+        return Ok(word);
+    }
+    let mut alike = words.iter().filter(|word| word.starts_with(&typed));
+    match (alike.next(), alike.next()) {
+        (Some(word), None) => Ok(word),
+        _ => Err(format!("one of these is wanted: {}", words.join(", "))),
+    }
+}
+
+/// `x z`, `xz`, `x, z`, or a list as in the file; in the order of the words.
+fn flags(typed: &str, words: &'static [&'static str]) -> Result<Spelled, String> {
+    let wanted = || format!("any of these are wanted: {}", words.join(", "));
+    let plain = typed.replace(['[', ']', '"', '\''], " ");
+    let parts: Vec<&str> = plain.split([',', ' ', '+']).filter(|part| !part.is_empty()).collect();
+    let is_word = |part: &&str| words.contains(part);
+    let letters = || plain.chars().filter(|c| c.is_alphanumeric()).map(|c| c.to_string()).collect::<Vec<_>>();
+    let chosen: Vec<String> =
+        if parts.iter().all(is_word) { parts.iter().map(ToString::to_string).collect() } else { letters() };
+    if chosen.is_empty() || chosen.iter().any(|word| !words.contains(&word.as_str())) {
+        return Err(wanted());
+    }
+    Ok(Spelled::texts(words.iter().copied().filter(|word| chosen.iter().any(|chosen| chosen == word))))
+}
