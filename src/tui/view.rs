@@ -4,11 +4,15 @@ use ratatui::Frame;
 use ratatui::buffer::Buffer;
 
 use super::app::App;
-use super::screens::explorer;
+use super::screens::{editor, explorer};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
-    explorer::render(app, frame);
+    if app.editors.open().is_some() {
+        editor::render(app, frame);
+    } else {
+        explorer::render(app, frame);
+    }
     sanitize(frame.buffer_mut(), app.theme.glyphs.ascii);
 }
 

@@ -94,7 +94,7 @@ pub struct Entry {
 /// The words that a cell may hold.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Choice {
-    pub words: &'static [&'static str],
+    pub words: Vec<&'static str>,
     /// Those that are ticked, where there may be several
     pub ticked: Option<Vec<bool>>,
     pub cursor: usize,
@@ -363,11 +363,11 @@ impl Editing {
             Some(Place::Cell(_)) => {
                 let Some(cell) = self.cell() else { return };
                 match cell.kind {
-                    CellKind::Choice(words) | CellKind::Model(words) => {
-                        self.layer = Some(Layer::Choice(Choice::one(words, cell.shown.text())));
+                    CellKind::Choice(_) | CellKind::Model(_) => {
+                        self.layer = Some(Layer::Choice(Choice::one(cell.kind.words(), cell.shown.text())));
                     }
-                    CellKind::Flags(words) => {
-                        self.layer = Some(Layer::Choice(Choice::several(words, cell.shown.text())));
+                    CellKind::Flags(_) => {
+                        self.layer = Some(Layer::Choice(Choice::several(cell.kind.words(), cell.shown.text())));
                     }
                     _ => self.input = Some(Input::new(Target::Cell, cell.shown.text(), replace)),
                 }
@@ -396,9 +396,10 @@ impl Editing {
     pub fn cycle_cell(&mut self) {
         let Some(cell) = self.cell() else { return };
         match cell.kind {
-            CellKind::Choice(words) | CellKind::Model(words) => {
+            CellKind::Choice(_) | CellKind::Model(_) => {
+                let words = cell.kind.words();
                 let at = words.iter().position(|word| *word == cell.shown.text()).map_or(0, |at| at + 1);
-                if let Some(word) = words.get(at % words.len().max(1)) {
+                if let Some(word) = words.get(at % words.len().max(1)).copied() {
                     self.write(word);
                 }
             }
@@ -615,12 +616,12 @@ impl Input {
 }
 
 impl Choice {
-    fn one(words: &'static [&'static str], now: &str) -> Self {
+    fn one(words: Vec<&'static str>, now: &str) -> Self {
         let cursor = words.iter().position(|word| *word == now).unwrap_or(0);
         Self { words, ticked: None, cursor }
     }
 
-    fn several(words: &'static [&'static str], now: &str) -> Self {
+    fn several(words: Vec<&'static str>, now: &str) -> Self {
         let ticked = words.iter().map(|word| now.split(',').any(|part| part.trim() == *word)).collect();
         Self { words, ticked: Some(ticked), cursor: 0 }
     }

@@ -195,6 +195,18 @@ impl View {
         self.rows.get(row).and_then(|line| self.grids.get(line.grid)?.rows.get(line.row))
     }
 
+    /// What stands over a row: what its table is called, where there are several tables.
+    pub fn heading(&self, row: usize) -> Option<&str> {
+        let grid = self.rows.get(row)?.grid;
+        let first = row == 0 || self.rows.get(row - 1)?.grid != grid;
+        (self.is_turned() && self.grids.len() > 1 && first).then(|| self.row(row).map_or("", |row| &row.label))
+    }
+
+    /// The findings about the list as a whole.
+    pub fn list_findings(&self) -> &[usize] {
+        self.grids.first().map_or(&[], |grid| &grid.findings)
+    }
+
     /// The sheet that a row belongs to; of a table without rows the only one.
     pub fn sheet(&self, row: usize) -> Option<&Sheet> {
         let grid = self.rows.get(row).map_or(0, |line| line.grid);

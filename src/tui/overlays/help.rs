@@ -14,7 +14,7 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use crate::text::cut;
-use crate::tui::action::{ACTIONS, Category};
+use crate::tui::action::{ACTIONS, Action, Category};
 use crate::tui::app::App;
 use crate::tui::keymap::{self, Mode};
 use crate::tui::theme::Theme;
@@ -74,26 +74,30 @@ fn lines(theme: &Theme) -> Vec<Line> {
     };
     for category in Category::ALL {
         let entries = ACTIONS.iter().filter(|about| about.category == category).filter_map(|about| {
-            let keys = keys_outside_filter(about.action, ascii);
+            let keys = keys_where_letters_are_keys(about.action, ascii);
             (!keys.is_empty()).then(|| Line::Entry(keys.join(" "), about.doc.into()))
         });
         section(category.title(), entries.collect());
     }
-    let typing = ACTIONS.iter().filter(|about| keys_outside_filter(about.action, ascii).is_empty());
+    let typing = ACTIONS.iter().filter(|about| keys_where_letters_are_keys(about.action, ascii).is_empty());
     let typing =
-        typing.map(|about| Line::Entry(keymap::keys(Mode::Filter, about.action, ascii).join(" "), about.doc.into()));
-    section("While a filter is typed", typing.collect());
+        typing.map(|about| Line::Entry(keys_in(&Mode::TYPING, about.action, ascii).join(" "), about.doc.into()));
+    section("While something is typed", typing.collect());
     section("Marks", marks(theme));
     lines
 }
 
-fn keys_outside_filter(action: crate::tui::action::Action, ascii: bool) -> Vec<String> {
+/// The keys of an action where no letter is text.
+fn keys_where_letters_are_keys(action: Action, ascii: bool) -> Vec<String> {
+    let modes: Vec<Mode> = Mode::ALL.into_iter().filter(|mode| !Mode::TYPING.contains(mode)).collect();
+    keys_in(&modes, action, ascii)
+}
+
+fn keys_in(modes: &[Mode], action: Action, ascii: bool) -> Vec<String> {
     let mut keys: Vec<String> = Vec::new();
-    for mode in [Mode::Library, Mode::Text] {
-        for key in keymap::keys(mode, action, ascii) {
-            if !keys.contains(&key) {
-                keys.push(key);
-            }
+    for key in modes.iter().flat_map(|&mode| keymap::keys(mode, action, ascii)) {
+        if !keys.contains(&key) {
+            keys.push(key);
         }
     }
     keys
@@ -116,6 +120,11 @@ fn marks(theme: &Theme) -> Vec<Line> {
         entry(format!("m {}", glyphs.mesh), "where the mesh acts on the shaft, and the mesh point"),
         entry("E L".into(), "the drives: engine and load"),
         entry(glyphs.broken.into(), "a design that cannot be read or solved"),
-        entry("!".into(), "a design with warnings"),
+        entry("!".into(), "a design with warnings; a cell with a warning"),
+        entry("*".into(), "edits that are not saved"),
+        entry("(0.0)".into(), "not written in the file: the default that holds"),
+        entry("[36.0]".into(), "the cell under the cursor"),
+        entry(glyphs.pointer.into(), "in the side view: what the cursor is on"),
+        entry(glyphs.ghost.into(), "mesh force of the saved state, finite element model"),
     ]
 }

@@ -145,7 +145,7 @@ fn without_result(app: &App) -> (&'static str, String) {
     }
 }
 
-fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
+pub(super) fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = format!(
         "bevelscope needs {MIN_WIDTH}x{MIN_HEIGHT} characters, this terminal has {}x{} (q quits)",
         area.width, area.height

@@ -1,3 +1,4 @@
 //! Whole screens.
 
+pub mod editor;
 pub mod explorer;

@@ -9,9 +9,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use unicode_width::UnicodeWidthStr;
 
+use crate::design::grid::{CellKind, Shape};
 use crate::text::{cut, cut_start, printable};
 use crate::tui::action::{ACTIONS, Action};
 use crate::tui::app::App;
+use crate::tui::editor::{Editing, Layer};
 use crate::tui::keymap::{self, Mode};
 
 /// Draws the line and returns where the cursor stands, if something is typed.
@@ -72,8 +74,37 @@ fn applies(app: &App, action: Action) -> bool {
     match action {
         Action::NextPane => app.has_text() && app.detail.text_scroll.last() > 0,
         Action::NextMatch | Action::PreviousMatch => !app.library.filter().is_empty() && app.mode == Mode::Library,
-        Action::Filter | Action::MoveUp | Action::MoveDown if app.mode != Mode::Help => !app.library.is_empty(),
+        Action::Filter | Action::MoveUp | Action::MoveDown | Action::OpenEditor if app.mode != Mode::Help => {
+            !app.library.is_empty()
+        }
         Action::Back => app.mode != Mode::Library || !app.library.filter().is_empty(),
+        _ => app.editors.open().is_none_or(|editing| applies_in_editor(editing, action)),
+    }
+}
+
+fn applies_in_editor(editing: &Editing, action: Action) -> bool {
+    let is_list = matches!(editing.view.shape, Shape::List { .. });
+    let is_there = editing.view.row(editing.cursor().row).is_some();
+    match action {
+        Action::Undo => editing.editor.undo_name().is_some(),
+        Action::Redo => editing.editor.redo_name().is_some(),
+        Action::Save => editing.is_modified(),
+        Action::OtherShaft => editing.tab.has_sides(),
+        Action::AddRow => editing.view.shape != Shape::Single,
+        Action::DuplicateRow => is_list && is_there,
+        Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
+        Action::CancelSolve => editing.solving.pending.as_ref().is_some_and(|pending| !pending.is_fresh),
+        Action::Solve => editing.is_stale() && editing.design.is_some(),
+        Action::Findings => !editing.findings().is_empty(),
+        Action::CycleCell => {
+            editing.cell().is_some_and(|cell| matches!(cell.kind, CellKind::Choice(_) | CellKind::Model(_)))
+        }
+        Action::ClearCell => {
+            let target = editing.target();
+            target.is_some_and(|cell| cell.shown.is_written() && !cell.required)
+        }
+        Action::Tick => matches!(&editing.layer, Some(Layer::Choice(choice)) if choice.ticked.is_some()),
+        Action::NextCell => !editing.view.is_turned(),
         _ => true,
     }
 }
