@@ -140,7 +140,7 @@ impl Document {
         let new = match row {
             NewRow::Keys(keys) => Tree::Table(keys.iter().map(|(k, v)| (k.clone(), Tree::read_value(v))).collect()),
             NewRow::Entry(value) => Tree::read_value(value),
-            NewRow::CopyOf(other) => rows.get(*other).ok_or_else(no_place)?.clone(),
+            NewRow::CopyOf(other) => rows.get(*other).ok_or_else(|| EditError::NotThere(list.place(*other)))?.clone(),
         };
         if place > rows.len() {
             return Err(EditError::NotThere(list.place(place)));

@@ -5,7 +5,7 @@ use crate::design::key_path::Step;
 use crate::design::schema::{Field, Kind, ROOT, Table};
 
 /// What the schema does not know comes last.
-const UNKNOWN: usize = usize::MAX;
+pub(super) const UNKNOWN: usize = usize::MAX;
 
 /// The place of a key among those of its table.
 pub(super) fn of_key(table: Option<&'static Table>, key: &str) -> usize {

@@ -40,7 +40,12 @@ fn add(view: &View<'_>, table: &KeyPath, key: &NewKey<'_>) -> Option<Vec<Splice>
         Spot::Inline(span) => {
             let items = Items::new(view.text, span)?;
             let keys = items.entries.iter().map(|item| item.parts.first().map_or("", |part| &part.name));
-            let place = behind(table, key.name, keys).map_or(0, |before| before + 1);
+            let keys: Vec<&str> = keys.collect();
+            let place = match behind(table, key.name, &keys) {
+                Behind::Nothing => 0,
+                Behind::Key(before) => before + 1,
+                Behind::All => keys.len(),
+            };
             Some(items.insert(place, &key.line))
         }
         Spot::Dotted => add_dotted(view, table, key),
@@ -50,13 +55,28 @@ fn add(view: &View<'_>, table: &KeyPath, key: &NewKey<'_>) -> Option<Vec<Splice>
     }
 }
 
-/// Which of the keys of a table a new one goes behind: the last one that comes before it in the schema, or else the last.
-fn behind<'k>(table: &KeyPath, key: &str, keys: impl Iterator<Item = &'k str>) -> Option<usize> {
+/// What a new key of a table goes behind.
+enum Behind {
+    /// It comes first
+    Nothing,
+    /// The last one of those that come before it in the schema
+    Key(usize),
+    /// The schema does not know it
+    All,
+}
+
+fn behind(table: &KeyPath, key: &str, keys: &[&str]) -> Behind {
     let schema = order::table(table);
     let place = order::of_key(schema, key);
-    let keys: Vec<usize> = keys.map(|key| order::of_key(schema, key)).collect();
-    let before = keys.iter().enumerate().filter(|(_, other)| **other < place).max_by_key(|(i, other)| (**other, *i));
-    before.map(|(i, _)| i).or(keys.len().checked_sub(1))
+    let before = |(_, other): &(usize, &&str)| order::of_key(schema, other) < place;
+    let before = keys.iter().enumerate().filter(before).max_by_key(|(i, other)| (order::of_key(schema, other), *i));
+    match before {
+        _ if place == order::UNKNOWN => Behind::All,
+        Some((before, _)) => Behind::Key(before),
+        // the number of the format stays at the top of the file
+        None if table.steps().is_empty() => Behind::All,
+        None => Behind::Nothing,
+    }
 }
 
 /// A line behind the others of the section.
@@ -73,13 +93,20 @@ fn add_to_section(view: &View<'_>, header: Option<usize>, table: &KeyPath, key: 
         .filter(|(_, statement)| statement.is_pair())
         .map(|(i, statement)| (i, key_of(statement.address.steps().get(steps))))
         .collect();
-    let anchor = behind(table, key.name, pairs.iter().map(|(_, key)| *key)).map(|anchor| pairs[anchor].0).or(header);
-    let Some(anchor) = anchor else {
-        let rest = if view.statements.first().is_some_and(Statement::is_header) { line_break } else { "" };
+    let keys: Vec<&str> = pairs.iter().map(|(_, key)| *key).collect();
+    let anchor = match behind(table, key.name, &keys) {
+        Behind::Nothing => None,
+        Behind::Key(before) => Some(pairs[before].0),
+        Behind::All => pairs.last().map(|(last, _)| *last),
+    };
+    let Some(above) = anchor.or(header) else {
+        let header = view.statements.iter().position(Statement::is_header);
+        let rest = if header.is_some_and(|header| view.lead(header) == 0) { line_break } else { "" };
         return vec![Splice::insert(start(view.text), format!("{}{line_break}{rest}", key.line))];
     };
-    let line = format!("{line_break}{}{}", view.indent(anchor), key.line);
-    vec![Splice::insert(view.statements[anchor].lines.end, line)]
+    let beside = anchor.or(pairs.first().map(|(first, _)| *first)).unwrap_or(above);
+    let line = format!("{line_break}{}{}", view.indent(beside), key.line);
+    vec![Splice::insert(view.statements[above].lines.end, line)]
 }
 
 fn key_of(step: Option<&Step>) -> &str {
@@ -96,7 +123,12 @@ fn add_dotted(view: &View<'_>, table: &KeyPath, key: &NewKey<'_>) -> Option<Vec<
         _ => None,
     });
     let dotted: Vec<_> = dotted.collect();
-    let (anchor, prefix, _) = dotted[behind(table, key.name, dotted.iter().map(|(_, _, key)| *key))?];
+    let keys: Vec<&str> = dotted.iter().map(|(_, _, key)| *key).collect();
+    let before = match behind(table, key.name, &keys) {
+        Behind::Key(before) => before,
+        Behind::Nothing | Behind::All => keys.len().checked_sub(1)?,
+    };
+    let (anchor, prefix, _) = dotted[before];
     let prefix = &view.text[prefix.first()?.span.start..prefix.last()?.span.end];
     let line = format!("{}{}{prefix}.{}", view.line_break(), view.indent(anchor), key.line);
     Some(vec![Splice::insert(view.statements[anchor].lines.end, line)])

@@ -142,10 +142,11 @@ impl<'t> View<'t> {
         self.lead(statement).checked_sub(1).is_some_and(|above| self.statements[above].is_empty())
     }
 
-    /// Do headers stand apart in this file?
+    /// Do headers stand apart in this file? The one at the very start does not count.
     pub fn is_airy(&self) -> bool {
-        let mut headers = self.statements.iter().enumerate().filter(|(_, s)| s.is_header()).peekable();
-        headers.peek().is_none() || headers.any(|(i, _)| self.is_apart(i))
+        let headers = self.statements.iter().enumerate().filter(|(_, statement)| statement.is_header());
+        let mut headers = headers.map(|(i, _)| i).filter(|i| self.lead(*i) > 0).peekable();
+        headers.peek().is_none() || headers.any(|header| self.is_apart(header))
     }
 
     /// The blanks at the start of a statement.
