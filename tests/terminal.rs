@@ -59,7 +59,7 @@ impl Backend for Stuck {
         MadeUp.load(path)
     }
 
-    fn compare(&self, _: &Design, _: &mut Observer<'_'>) -> Result<Comparison, SolveError> {
+    fn compare(&self, _: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         loop {
             thread::sleep(LONG);
         }

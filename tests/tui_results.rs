@@ -26,7 +26,7 @@ impl Backend for Gated {
         MadeUp.load(path)
     }
 
-    fn compare(&self, design: &Design, observer: &mut Observer<'_'>) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         self.started.send(design.name.clone()).unwrap();
         let _ = self.gate.lock().unwrap().recv();
         MadeUp.compare(design, observer)
@@ -171,7 +171,7 @@ impl Backend for Panics {
         MadeUp.load(path)
     }
 
-    fn compare(&self, _: &Design, _: &mut Observer<'_'>) -> Result<Comparison, SolveError> {
+    fn compare(&self, _: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         panic!("the solver is {}", "broken");
     }
 }

@@ -72,7 +72,7 @@ impl Backend for Hostile {
         Ok(LoadedDesign { design, warnings: vec![ESCAPES.into()] })
     }
 
-    fn compare(&self, design: &Design, observer: &mut Observer<'_'>) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         if design.name == "unsolvable" {
             Err(not_solved(RotorError::UnknownMaterial(ESCAPES.into())))
         } else {
@@ -138,7 +138,7 @@ impl Backend for Strange {
         Ok(design.into())
     }
 
-    fn compare(&self, design: &Design, observer: &mut Observer<'_'>) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         let mut comparison = MadeUp.compare(design, observer)?;
         let force = &mut comparison.enhanced.mesh_force;
         match design.name.as_str() {

@@ -284,11 +284,10 @@ impl App {
                 }
             }
             Err(error) => {
-                let advice = match error {
-                    NotSaved::Changed => ". Nothing was overwritten: S saves yours as a variant",
-                    NotSaved::Failed(_) => "",
-                };
-                editing.warn(format!("{name} not saved: {error}{advice}"));
+                editing.warn(match &error {
+                    NotSaved::Changed => "not saved, changed on disk: S saves it as a variant".into(),
+                    NotSaved::Failed(error) => format!("not saved: {error}"),
+                });
                 if self.editors.open().is_none_or(|editing| editing.path != path) {
                     self.notice = Some(format!("{name} not saved: {error}"));
                 }

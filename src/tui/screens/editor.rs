@@ -24,7 +24,7 @@ use super::explorer::{MIN_HEIGHT, MIN_WIDTH, render_too_small};
 use crate::design::grid::{Cell, CellKind, Shown};
 use crate::design::{Side, Totals};
 use crate::report::grouped;
-use crate::text::{cut, printable};
+use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Layer, Place, Tab, Target};
 use crate::tui::keymap::Mode;
@@ -220,7 +220,7 @@ fn render_side_view(editing: &Editing, theme: &Theme, area: Rect, buffer: &mut B
         Some(design) => {
             side_view::render_with(design, pointed, theme, inner, buffer);
             let before = editing.design.is_none();
-            let title = if before { Title::left("before the errors came in") } else { side_view::legend(theme) };
+            let title = if before { Title::left("the last state without errors") } else { side_view::legend(theme) };
             panel::bottom(area, buffer, &title, false, theme);
         }
         None => {
@@ -302,13 +302,12 @@ fn render_spectra(editing: &mut Editing, live: bool, theme: &Theme, area: Rect, 
     }
     panel::bottom(area, buffer, &Title { left: Vec::new(), right }, false, theme);
     if let Some(why) = why {
-        let room = usize::from(upper.width.saturating_sub(plot::GUTTER));
-        let text = format!(
-            " {} {} ",
-            theme.glyphs.broken,
-            cut(&printable(&why), room.saturating_sub(4), theme.glyphs.ellipsis)
-        );
-        buffer.set_stringn(upper.x + plot::GUTTER, upper.y, text, room, theme.error);
+        let room = usize::from(upper.width.saturating_sub(plot::GUTTER + 3));
+        let lines = wrap(&format!("{} {why}", theme.glyphs.broken), room);
+        for (line, y) in lines.iter().take(3).zip(upper.top()..upper.bottom()) {
+            let x = upper.x + plot::GUTTER;
+            buffer.set_stringn(x, y, format!(" {line} "), room + 2, theme.error);
+        }
     }
 }
 
@@ -336,53 +335,80 @@ fn render_figures(editing: &Editing, theme: &Theme, area: Rect, buffer: &mut Buf
 
 /// One line about the cell under the cursor: what happened, what is wrong, what can be typed.
 fn render_message(editing: &Editing, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let (text, style) = message(editing, theme);
+    let Message { text, more, style } = message(editing, theme);
     let width = usize::from(area.width).saturating_sub(2);
-    buffer.set_stringn(area.x + 1, area.y, cut(&printable(&text), width, theme.glyphs.ellipsis), width, style);
+    let text = cut(&printable(&text), width.saturating_sub(more.width()), theme.glyphs.ellipsis) + &more;
+    buffer.set_stringn(area.x + 1, area.y, text, width, style);
 }
 
-fn message(editing: &Editing, theme: &Theme) -> (String, Style) {
-    if let Some(error) = editing.input.as_ref().and_then(|input| input.error.as_ref()) {
-        return (format!("{} {error}", theme.glyphs.broken), theme.error);
+struct Message {
+    text: String,
+    /// Stays where the text has to be cut.
+    more: String,
+    style: Style,
+}
+
+impl Message {
+    fn new(text: String, style: Style) -> Self {
+        Self { text, more: String::new(), style }
+    }
+}
+
+fn message(editing: &Editing, theme: &Theme) -> Message {
+    let broken = theme.glyphs.broken;
+    if let Some(input) = &editing.input {
+        return match (&input.error, editing.target()) {
+            (Some(error), _) => Message::new(format!("{broken} {error}"), theme.error),
+            (None, Some(cell)) => Message::new(about_cell(cell), theme.faint),
+            (None, None) => Message::new("a name".into(), theme.faint),
+        };
     }
     if let Some(notice) = &editing.notice {
-        let mark = if notice.is_error { format!("{} ", theme.glyphs.broken) } else { String::new() };
-        return (format!("{mark}{}", notice.text), if notice.is_error { theme.error } else { theme.title });
+        let mark = if notice.is_error { format!("{broken} ") } else { String::new() };
+        let style = if notice.is_error { theme.error } else { theme.title };
+        return Message::new(format!("{mark}{}", notice.text), style);
+    }
+    let places = findings_here(editing);
+    if let Some(finding) = places.first().and_then(|&at| editing.findings().get(at)) {
+        let (mark, style) = table::severity_mark(finding.severity, theme);
+        let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
+        let more = if places.len() > 1 { format!(" (f: {} more)", places.len() - 1) } else { String::new() };
+        return Message { text: format!("{mark} {}{hint}", finding.message), more, style };
+    }
+    if let Some(reason) = editing.design.as_ref().and_then(|design| editing.solving.failure(design)) {
+        return Message::new(format!("{broken} cannot be solved: {reason}"), theme.error);
     }
     let cursor = editing.cursor();
-    let mut places = match editing.entry() {
+    let text = match (editing.target(), editing.view.place(cursor.row, cursor.column)) {
+        (Some(cell), _) => about_cell(cell),
+        (None, Some(Place::Matrix)) => "6x6 stiffness: Enter opens it".into(),
+        (None, Some(Place::Name)) => "the material's name: Enter renames it, also where segments name it".into(),
+        (None, _) => String::new(),
+    };
+    Message::new(text, theme.faint)
+}
+
+/// The findings about the cell under the cursor, or else about its row but none of its cells, or about the whole list.
+fn findings_here(editing: &Editing) -> Vec<usize> {
+    let cursor = editing.cursor();
+    let places = match editing.entry() {
         Some(entry) => entry.findings.clone(),
         None => editing.view.findings(cursor.row, cursor.column),
     };
-    if places.is_empty() && !editing.view.is_turned() {
-        // of the row, but of no cell
-        let row = editing.view.row(cursor.row);
-        let of_cells: Vec<usize> =
-            row.into_iter().flat_map(|row| &row.cells).flat_map(|cell| cell.findings.clone()).collect();
-        places =
-            row.map_or(Vec::new(), |row| row.findings.iter().copied().filter(|at| !of_cells.contains(at)).collect());
-        places.extend(editing.view.list_findings());
+    if !places.is_empty() || editing.view.is_turned() {
+        return places;
     }
-    let about = places.first().and_then(|&at| editing.findings().get(at));
-    if let Some(finding) = about.filter(|_| editing.input.is_none()) {
-        let (mark, style) = table::severity_mark(finding.severity, theme);
-        let more = if places.len() > 1 { format!(" (and {} more, f)", places.len() - 1) } else { String::new() };
-        let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
-        return (format!("{mark} {}{hint}{more}", finding.message), style);
-    }
-    let text = match editing.target() {
-        Some(cell) => about_cell(cell),
-        None => match editing.view.place(cursor.row, cursor.column) {
-            Some(Place::Matrix) => "6x6 stiffness: Enter opens it".into(),
-            Some(Place::Name) => "name of the material: Enter renames it, also where segments name it".into(),
-            _ => String::new(),
-        },
-    };
-    (text, theme.faint)
+    let row = editing.view.row(cursor.row);
+    let is_of_cell = |at: &usize| row.is_some_and(|row| row.cells.iter().any(|cell| cell.findings.contains(at)));
+    let of_row = row.into_iter().flat_map(|row| &row.findings).copied().filter(|at| !is_of_cell(at));
+    of_row.chain(editing.view.list_findings().iter().copied()).collect()
 }
 
 /// What a cell holds and what can be typed into it.
 fn about_cell(cell: &Cell) -> String {
+    if matches!(cell.kind, CellKind::MatrixEntry(..)) {
+        return format!("stiffness {} [{}]; 600 N/um or 1.5e5 are typed alike", cell.column.label, cell.column.unit);
+    }
     let wanted = match cell.kind {
         CellKind::Number(quantity, limit) => {
             let limit = limit.describe(quantity);
@@ -404,5 +430,8 @@ fn about_cell(cell: &Cell) -> String {
         (Shown::Written(_), false) => "; x clears it",
     };
     let wanted = if wanted.is_empty() { wanted } else { format!(" [{wanted}]") };
-    format!("{}: {}{wanted}{presence}", cell.column.label, cell.column.doc)
+    let (label, doc) = (&cell.column.label, cell.column.doc);
+    let said_twice = doc.trim_end_matches('.').to_lowercase() == label.to_lowercase();
+    let label = if said_twice { String::new() } else { format!("{label}: ") };
+    format!("{label}{doc}{wanted}{presence}")
 }

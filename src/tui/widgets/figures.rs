@@ -37,8 +37,8 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
     let was = was.map(agreements);
     let limits = now.each_ref().map(limit);
     let before: [String; 2] = std::array::from_fn(|at| match &was {
-        Some(was) if limit(&was[at]) != limits[at] => format!(" (was {})", short_limit(&was[at])),
-        _ => String::new(),
+        Some(was) if limit(&was[at]) != limits[at] => format!(" (was {}),", short_limit(&was[at])),
+        _ => ",".into(),
     });
     let wide: [usize; 2] =
         [limits.iter().map(String::len).max().unwrap_or(0), before.iter().map(String::len).max().unwrap_or(0)];
@@ -55,7 +55,7 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
             Span::styled(format!(" {name:>8}: "), style),
             Span::styled(format!("{:>1$}", limits[row], wide[0]), theme.title),
             Span::raw(format!("{:<1$}", before[row], wide[1])),
-            Span::raw(format!(", {:>5.2} dB RMS{rms}", agreement.rms_db)),
+            Span::raw(format!(" {:>5.2} dB RMS{rms}", agreement.rms_db)),
             Span::raw(format!(", FRAC {:.2}", agreement.frac)),
             Span::styled(
                 format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz)),

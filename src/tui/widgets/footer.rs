@@ -74,6 +74,9 @@ fn applies(app: &App, action: Action) -> bool {
     match action {
         Action::NextPane => app.has_text() && app.detail.text_scroll.last() > 0,
         Action::NextMatch | Action::PreviousMatch => !app.library.filter().is_empty() && app.mode == Mode::Library,
+        Action::Quit if app.mode == Mode::Leave => false,
+        // everyone knows, and there is much to say
+        Action::MoveUp | Action::MoveDown if app.mode == Mode::Table => false,
         Action::Filter | Action::MoveUp | Action::MoveDown | Action::OpenEditor if app.mode != Mode::Help => {
             !app.library.is_empty()
         }

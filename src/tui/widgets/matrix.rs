@@ -23,7 +23,7 @@ use crate::tui::theme::Theme;
 const NAMES: [&str; 6] = ["x", "y", "z", "thx", "thy", "thz"];
 const LABEL: u16 = 5;
 
-/// Draws the matrix of the bearing under the cursor in the middle of `area`; returns where the cursor stands if an entry is
+/// Draws the matrix of the bearing under the cursor at the top of `area`, so that the spectra stay in sight; returns where the cursor stands if an entry is
 /// typed into.
 pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let row = editing.cursor().row;
@@ -41,7 +41,7 @@ pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer
         about.extend(wrap(&format!("{mark} {}", findings::sentence(finding)), usize::from(width.saturating_sub(4))));
     }
     let height = (9 + about.len() as u16).min(area.height);
-    let window = Rect { x: area.x + (area.width - width) / 2, y: area.y + (area.height - height) / 2, width, height };
+    let window = Rect { x: area.x + (area.width - width) / 2, y: area.y, width, height };
     panel::clear(window, buffer);
     let name = editing.view.row(row).map_or(String::new(), |row| printable(&row.label).into_owned());
     let title = format!("stiffness of {} bearing {name}", editing.side.name());

@@ -206,12 +206,16 @@ impl Shaft<'_> {
         let cell = |position: f64| ((scale.dot(position).max(0.0) as usize / across).min(last)) as u16;
         let style = theme.title.patch(theme.selected);
         let (left, right) = (cell(from), cell(to).max(cell(from)));
+        let high = area.height > 2;
         if right > left + 1 {
             let y = area.y + (area.height - 1) / 2;
             put(buffer, area.x + left, y, '[', style);
             put(buffer, area.x + right - 1, y, ']', style);
         }
-        // above the middle of it, in the first row of the shaft's picture
+        // above the middle of it, in the first row of the shaft's picture, if that has a row for both
+        if !high && right > left + 1 {
+            return;
+        }
         put(
             buffer,
             area.x + u16::midpoint(left, right.saturating_sub(1).max(left)),
