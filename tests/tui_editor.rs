@@ -3,12 +3,20 @@
 
 mod tui_support;
 
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::mpsc::{Sender, channel};
+use std::time::Duration;
+
+use bevelscope::comparison::{Comparison, Observer, SolveError, compare_over};
+use bevelscope::design::Design;
 use bevelscope::design::grid::{Cell, CellKind, Sheet};
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::editor::{Editing, Place, Tab};
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Ending, Message};
-use bevelscope::tui::worker::EditedJob;
+use bevelscope::tui::worker::{EditedJob, Worker};
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use insta::assert_snapshot;
 use tui_support::{ASCII, Screen, Shelf, UNICODE, paths};
 
@@ -52,7 +60,7 @@ const EDITS: &[(&str, &[&str])] = &[
     ("<Enter><Home>1<Enter>", &["-length_mm = 36.0", "+length_mm = 136.0"]),
     ("<Enter><Left><Left><Backspace>7<Enter>", &["-length_mm = 36.0", "+length_mm = 37.0"]),
     ("<Enter><Ctrl-u>4<Enter>", &["-length_mm = 36.0", "+length_mm = 4"]),
-    ("c4 mm<Ctrl-w>cm<Enter>", &["-length_mm = 36.0", "+length_mm = 40"]),
+    ("c4 mm<Ctrl-w>cm<Enter>", &["-length_mm = 36.0", "+length_mm = 40.0"]),
     ("<Enter><Home><Delete>4<Enter>", &["-length_mm = 36.0", "+length_mm = 46.0"]),
     // Esc leaves the cell as it was
     ("c99<Esc>", &[]),
@@ -342,6 +350,71 @@ fn quitting_with_unsaved_edits_asks() {
     shelf.texts.lock().unwrap().clear();
     screen.keys("qs");
     assert!(!quits(&screen) && screen.text().contains("not saved"), "{}", screen.text());
+}
+
+/// Solves until it is told to stop, unless the pinion's first segment is 42 mm long.
+struct Endless {
+    started: Sender<()>,
+}
+
+impl Backend for Endless {
+    fn load(&self, _: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        panic!("an edited design is not read")
+    }
+
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        self.started.send(()).unwrap();
+        if design.pinion.segments[0].length == 0.042 {
+            return compare_over(design, None, observer);
+        }
+        while observer(0.5).is_continue() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        Err(SolveError::Cancelled)
+    }
+}
+
+#[test]
+fn a_newer_request_ends_the_older_one_and_so_does_the_key() {
+    const LONG: Duration = Duration::from_secs(20);
+    let (started, solving) = channel();
+    let (sender, messages) = channel();
+    let worker = Worker::start(Arc::new(Endless { started }), &sender).unwrap();
+    let (mut screen, _) = opened(80, 24, UNICODE);
+    screen.held = true;
+    let mut hand_over = |screen: &mut Screen, keys: &str| {
+        screen.effects.clear();
+        screen.keys(keys);
+        for effect in screen.effects.drain(..) {
+            match effect {
+                Effect::SolveEdited(job) => worker.solve_edited(job),
+                Effect::CancelSolve => worker.cancel(),
+                _ => {}
+            }
+        }
+    };
+    hand_over(&mut screen, "c41<Enter>k");
+    solving.recv_timeout(LONG).unwrap();
+    // it is followed in percent, and keys are answered meanwhile
+    screen.send(messages.recv_timeout(LONG).unwrap());
+    assert!(screen.text().contains("stale, solving 50 %"), "{}", screen.text());
+    hand_over(&mut screen, "lll");
+    hand_over(&mut screen, "hhhX");
+    assert!(screen.text().contains("stopped solving"), "{}", screen.text());
+    hand_over(&mut screen, "c41.5<Enter>k");
+    solving.recv_timeout(LONG).unwrap();
+    hand_over(&mut screen, "c42<Enter>");
+    solving.recv_timeout(LONG).unwrap();
+    loop {
+        let message = messages.recv_timeout(LONG).unwrap();
+        let is_last = matches!(message, Message::SolvedEdited { .. });
+        screen.send(message);
+        if is_last {
+            break;
+        }
+    }
+    assert!(!screen.text().contains("stale"), "{}", screen.text());
+    assert!(messages.try_recv().is_err());
 }
 
 /// Something else that the cell may hold.

@@ -93,7 +93,7 @@ actions! {
     NextMatch, "next-match", Find, "the next match; after the last the first", hint 4 "match";
     PreviousMatch, "previous-match", Find, "the match before", hint 4 "match";
     DeleteCharacter, "delete-character", Find, "delete the letter before the cursor";
-    ClearText, "clear-text", Find, "delete all letters before the cursor";
+    ClearText, "clear-text", Find, "delete all letters before the cursor", hint 2 "clear";
     OpenEditor, "edit-design", Edit, "open the tables of the design", hint 1 "edit";
     EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; - + . 0 9 begin a number", hint 0 "edit";
     ReplaceCell, "replace-cell", Edit, "type in place of the value";

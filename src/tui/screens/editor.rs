@@ -74,7 +74,7 @@ pub fn render(app: &mut App, frame: &mut Frame) {
     }
 }
 
-/// The design, what is in sight of it, its findings, and what would be undone.
+/// The design, its findings, whether edits are solved, and what would be undone.
 fn render_header(editing: &Editing, live: bool, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     const PROGRAM: &str = " bevelscope  ";
     let (width, ellipsis) = (usize::from(area.width), theme.glyphs.ellipsis);
@@ -87,7 +87,6 @@ fn render_header(editing: &Editing, live: bool, theme: &Theme, area: Rect, buffe
         _ => format!("{count} findings (f)"),
     };
     let undo = editing.editor.undo_name().map_or(String::new(), |name| format!("u: {}", printable(name.as_str())));
-    let off = if live { "" } else { "live off" };
     let left = width.saturating_sub(PROGRAM.width());
     let name = cut(&printable(&stem), (left / 2).min(30), ellipsis) + star;
     let mut x = buffer.set_stringn(area.x, area.y, PROGRAM, width, theme.key).0;
@@ -99,9 +98,8 @@ fn render_header(editing: &Editing, live: bool, theme: &Theme, area: Rect, buffe
         }
     };
     put(&name, theme.title);
-    put(&editing.title(), theme.enhanced);
     put(&found, theme.warning);
-    put(off, theme.warning);
+    put(if live { "live" } else { "live off" }, if live { theme.faint } else { theme.warning });
     put(&undo, theme.faint);
 }
 
@@ -425,13 +423,10 @@ fn about_cell(cell: &Cell) -> String {
     };
     let presence = match (&cell.shown, cell.required) {
         (_, true) => "",
-        (Shown::Default(_), false) => "; not written, the default holds",
-        (Shown::Nothing, false) => "; not written",
-        (Shown::Written(_), false) => "; x clears it",
+        (Shown::Default(_), false) => " Not written: the default holds.",
+        (Shown::Nothing, false) => " Not written.",
+        (Shown::Written(_), false) => " (x clears)",
     };
-    let wanted = if wanted.is_empty() { wanted } else { format!(" [{wanted}]") };
-    let (label, doc) = (&cell.column.label, cell.column.doc);
-    let said_twice = doc.trim_end_matches('.').to_lowercase() == label.to_lowercase();
-    let label = if said_twice { String::new() } else { format!("{label}: ") };
-    format!("{label}{doc}{wanted}{presence}")
+    let wanted = if wanted.is_empty() { wanted } else { format!("[{wanted}] ") };
+    format!("{wanted}{}{presence}", cell.column.doc)
 }

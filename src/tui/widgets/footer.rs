@@ -74,7 +74,7 @@ fn applies(app: &App, action: Action) -> bool {
     match action {
         Action::NextPane => app.has_text() && app.detail.text_scroll.last() > 0,
         Action::NextMatch | Action::PreviousMatch => !app.library.filter().is_empty() && app.mode == Mode::Library,
-        Action::Quit if app.mode == Mode::Leave => false,
+        Action::Quit if app.mode == Mode::Leave || Mode::TYPING.contains(&app.mode) => false,
         // everyone knows, and there is much to say
         Action::MoveUp | Action::MoveDown if app.mode == Mode::Table => false,
         Action::Filter | Action::MoveUp | Action::MoveDown | Action::OpenEditor if app.mode != Mode::Help => {
