@@ -120,8 +120,10 @@ fn keys_change_the_text_and_nothing_else_of_it() {
     }
 }
 
+type At = (Tab, &'static str, usize, usize);
+
 /// Keys, and where the cursor is after them: table, shaft, row, column.
-const PLACES: &[(&str, (Tab, &str, usize, usize))] = &[
+const PLACES: &[(&str, At)] = &[
     ("", (Tab::Segments, "pinion", 0, 0)),
     ("j", (Tab::Segments, "pinion", 1, 0)),
     ("G", (Tab::Segments, "pinion", 3, 0)),
@@ -382,7 +384,7 @@ fn a_newer_request_ends_the_older_one_and_so_does_the_key() {
     let worker = Worker::start(Arc::new(Endless { started }), &sender).unwrap();
     let (mut screen, _) = opened(80, 24, UNICODE);
     screen.held = true;
-    let mut hand_over = |screen: &mut Screen, keys: &str| {
+    let hand_over = |screen: &mut Screen, keys: &str| {
         screen.effects.clear();
         screen.keys(keys);
         for effect in screen.effects.drain(..) {

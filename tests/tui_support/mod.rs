@@ -357,8 +357,12 @@ impl Screen {
             let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             self.effects.push(effect);
             if !self.held {
-                jobs.iter().for_each(|job| self.perform(job));
-                edited.iter().for_each(|job| self.perform_edited(job));
+                for job in &jobs {
+                    self.perform(job);
+                }
+                if let Some(job) = &edited {
+                    self.perform_edited(job);
+                }
             }
             if let Some(job) = file {
                 let message = worker::perform_file(job, &*self.backend);

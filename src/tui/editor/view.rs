@@ -177,7 +177,9 @@ impl View {
             }
         }
         let count = columns.len();
-        rows.iter_mut().for_each(|row| row.places.resize(count, None));
+        for row in &mut rows {
+            row.places.resize(count, None);
+        }
         Self { grids, rows, columns, shape }
     }
 

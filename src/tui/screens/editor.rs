@@ -214,17 +214,15 @@ fn render_side_view(editing: &Editing, theme: &Theme, area: Rect, buffer: &mut B
         None => vec!["Side view".to_owned()],
     };
     let inner = panel::frame(area, buffer, &Title { left: title, right: Vec::new() }, false, theme);
-    match &editing.last_design {
-        Some(design) => {
-            side_view::render_with(design, pointed, theme, inner, buffer);
-            let before = editing.design.is_none();
-            let title = if before { Title::left("the last state without errors") } else { side_view::legend(theme) };
-            panel::bottom(area, buffer, &title, false, theme);
-        }
-        None => {
-            let text = " nothing to draw: errors";
-            buffer.set_stringn(inner.x, inner.y, text, usize::from(inner.width), theme.faint);
-        }
+    if let Some(design) = &editing.last_design {
+        side_view::render_with(design, pointed, theme, inner, buffer);
+        let legend = match &editing.design {
+            Some(_) => side_view::legend(theme),
+            None => Title::left("the last state without errors"),
+        };
+        panel::bottom(area, buffer, &legend, false, theme);
+    } else {
+        buffer.set_stringn(inner.x, inner.y, " nothing to draw: errors", usize::from(inner.width), theme.faint);
     }
 }
 
