@@ -16,7 +16,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
 use bevelscope::tui::terminal::Session;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, Options, TuiError, run};
@@ -59,7 +59,7 @@ impl Backend for Stuck {
         MadeUp.load(path)
     }
 
-    fn compare(&self, _: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, _: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         loop {
             thread::sleep(LONG);
         }

@@ -7,7 +7,7 @@ mod tui_support;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::library::{TRASH, Trashed};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::tui::action::ACTIONS;
@@ -52,8 +52,8 @@ impl Backend for Folder {
         Ok(loaded)
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
-        let mut comparison = MadeUp.compare(design)?;
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        let mut comparison = MadeUp.compare(design, observer)?;
         if design.name.contains("stiff") {
             comparison.fe.mesh_force.iter_mut().for_each(|force| *force *= 2.0);
             comparison.enhanced_agreement.agreement_limit_hz = 3364.0;

@@ -5,7 +5,7 @@ mod tui_support;
 
 use std::path::Path;
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::rotor::RotorError;
 use bevelscope::tui::files::{FileDone, FileRequest};
@@ -88,11 +88,11 @@ impl Backend for Hostile {
         Err(ESCAPES.into())
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         if design.name == "unsolvable" {
             Err(not_solved(RotorError::UnknownMaterial(ESCAPES.into())))
         } else {
-            MadeUp.compare(design)
+            MadeUp.compare(design, observer)
         }
     }
 }
@@ -175,8 +175,8 @@ impl Backend for Strange {
         Ok(design.into())
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
-        let mut comparison = MadeUp.compare(design)?;
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        let mut comparison = MadeUp.compare(design, observer)?;
         let force = &mut comparison.enhanced.mesh_force;
         match design.name.as_str() {
             "nan" => force.fill(Complex64::new(f64::NAN, 0.0)),

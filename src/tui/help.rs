@@ -46,7 +46,19 @@ pub enum HelpLine {
 }
 
 /// Where letters are keys; the help itself last.
-const READING: [Mode; 6] = [Mode::Library, Mode::Text, Mode::Compare, Mode::Confirm, Mode::Messages, Mode::Help];
+const READING: [Mode; 11] = [
+    Mode::Library,
+    Mode::Text,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Compare,
+    Mode::Confirm,
+    Mode::Leave,
+    Mode::Messages,
+    Mode::Help,
+];
 
 impl App {
     pub(super) fn open_help(&mut self) {
@@ -131,7 +143,12 @@ fn marks(theme: &Theme) -> Vec<HelpLine> {
         entry(&format!("m {}", glyphs.mesh), "where the mesh acts on the shaft, and the mesh point"),
         entry("E L", "the drives: engine and load"),
         entry(glyphs.broken, "a design that cannot be read or solved"),
-        entry("!", "a design with warnings"),
+        entry("!", "a design with warnings; a cell with a warning"),
+        entry("*", "edits that are not saved"),
+        entry("(0.0)", "not written in the file: the default that holds"),
+        entry("[36.0]", "the cell under the cursor"),
+        entry(&glyphs.pointer.to_string(), "in the side view: what the cursor is on"),
+        entry(&glyphs.ghost.to_string(), "mesh force of the saved state, finite element model"),
         entry(glyphs.branch.trim(), "a variant of the design above it"),
         entry(glyphs.marked, "the design that others are compared with"),
     ]
