@@ -11,21 +11,41 @@ use bevelscope::rotor::RotorError;
 use bevelscope::tui::files::{FileDone, FileRequest};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
-use tui_support::{ASCII, MadeUp, Screen, UNICODE, design, not_solved};
+use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, design, not_solved};
 
 /// The states that are drawn at every size.
 fn screens() -> Vec<Screen> {
-    let mut screens: Vec<Screen> =
-        ["", "jjj<Tab>", "?", "/e", "G", ":", "?/e<Enter>nnn", "r", "D", "!", "mjc", "mjjjc", "mrx<Enter><Esc>!"]
-            .into_iter()
-            .map(|keys| {
-                let mut screen = Screen::new(80, 24, UNICODE);
-                screen.keys(keys);
-                screen
-            })
-            .collect();
+    let mut screens: Vec<Screen> = [
+        "",
+        "jjj<Tab>",
+        "?",
+        "/e",
+        "G",
+        ":",
+        "?/e<Enter>nnn",
+        "r",
+        "D",
+        "!",
+        "mjc",
+        "mjjjc",
+        "mrx<Enter><Esc>!",
+        "e:row",
+        "e?/e<Enter>n",
+    ]
+    .into_iter()
+    .map(|keys| {
+        let mut screen = Screen::new(80, 24, UNICODE);
+        screen.keys(keys);
+        screen
+    })
+    .collect();
     screens.push(Screen::new(80, 24, ASCII));
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
+    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
+        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+        screen.keys(keys);
+        screens.push(screen);
+    }
     screens
 }
 

@@ -6,7 +6,9 @@ use ratatui::style::Style;
 
 use super::panel::{self, Title};
 use crate::text::{cut, printable};
+use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::keymap::Mode;
 
 /// Draws the question in the middle of `area`.
 pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
@@ -37,8 +39,13 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         last.0 = format!("  and {} more", more + 1);
     }
     lines.push((String::new(), Style::new()));
-    for (key, text) in [("s", "save all and quit"), ("d", "discard the edits and quit"), ("Esc", "stay")] {
-        lines.push((format!("{key:>5}  {text}"), theme.title));
+    for (action, text) in [
+        (Action::SaveAll, "save all and quit"),
+        (Action::DiscardAll, "discard the edits and quit"),
+        (Action::Back, "stay"),
+    ] {
+        let keys = app.keys.of(Mode::Leave, action, theme.glyphs.ascii);
+        lines.push((format!("{:>5}  {text}", keys.first().map_or("", String::as_str)), theme.title));
     }
     for ((line, style), y) in lines.iter().zip(inner.top()..inner.bottom()) {
         buffer.set_stringn(inner.x + 1, y, line, room, *style);
