@@ -112,6 +112,7 @@ fn what_cannot_be_edited_leaves_the_text_alone() {
     let mut document = Document::parse(ODD).unwrap();
     for at in ["pinion", "pinion.bearing[0]", "pinion.bearing", "a", "gear.bearing[7].x", "gear.bearing[7]", "name.x"] {
         let error = document.set(&path(at), 1).expect_err(at);
+        assert_eq!(matches!(error, EditError::NotThere(_)), at.contains("[7]"), "{at}: {error}");
         assert!(!matches!(error, EditError::Syntax(_)), "{at}: {error}");
         assert_eq!(document.text(), ODD, "{at}");
     }

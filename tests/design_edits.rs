@@ -211,6 +211,7 @@ fn entries_of_lists_change_one_by_one() {
         ("tags = ['a']", set("tags", "[]"), "tags = []"),
         ("name = \"n\"", set("tags", "[\"a\"]"), "name = \"n\"\ntags = [\"a\"]"),
         ("tags = 'a, b'", set("tags", "[\"a\"]"), "tags = [\"a\"]"),
+        ("tags = ['a']", Edit::Remove { path: path("note") }, "tags = ['a']"),
         ("tags = ['a', 'b']", Edit::Remove { path: path("tags[0]") }, "tags = ['b']"),
         (
             "mesh.pinion.point_mm = [ 1, 2.0,3 ] # p",

@@ -10,7 +10,7 @@ use bevelscope::design::Design;
 use bevelscope::rotor::RotorError;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
-use tui_support::{ASCII, MadeUp, Screen, UNICODE, design, not_solved};
+use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, design, not_solved};
 
 /// The states that are drawn at every size.
 fn screens() -> Vec<Screen> {
@@ -23,6 +23,11 @@ fn screens() -> Vec<Screen> {
         })
         .collect();
     screens.push(Screen::new(80, 24, ASCII));
+    for keys in ["e2j", "elc-5<Enter>f", "e2lll l<Enter>c1 kg<Enter>"] {
+        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+        screen.keys(keys);
+        screens.push(screen);
+    }
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
     screens
 }

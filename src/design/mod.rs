@@ -3,7 +3,7 @@
 //! ```text
 //! file --load--> text --read--> Design + findings
 //!                  |
-//!               Document (edits that keep everything else as it was)
+//!                Editor (edits that keep everything else as it was) --save--> file
 //! ```
 
 #[macro_use]
@@ -20,14 +20,15 @@ pub mod library;
 mod load;
 mod model;
 mod read;
+pub mod reference;
 mod render;
 mod rotor;
 mod save;
 pub mod schema;
 mod side;
+mod station;
 mod totals;
 
-pub use check::MAX_STATIONS;
 pub use diff::{Difference, diff};
 pub use document::{Document, EditError};
 pub use edit::{Applied, Edit, EditName, Editor, Spelled, Towards};
@@ -40,4 +41,5 @@ pub use render::{Position, Source};
 pub use rotor::*;
 pub use save::{SaveError, save, save_new};
 pub use side::Side;
+pub use station::{MAX_STATIONS, SAME_STATION};
 pub use totals::Totals;

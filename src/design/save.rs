@@ -94,6 +94,7 @@ pub(super) fn move_to_free(from: &Path, to: &Path) -> Result<(), SaveError> {
         }
     }
     sync_folder(to);
+    sync_folder(from);
     Ok(())
 }
 
@@ -126,17 +127,12 @@ impl Drop for Draft {
 impl Draft {
     /// Writes the text beside `target`. `named` is what the file is called in errors.
     fn write(target: &Path, named: &Path, content: &[u8], old: Option<&Metadata>) -> Result<Self, SaveError> {
-        static COUNT: AtomicU64 = AtomicU64::new(0);
         let folder = folder_of(target);
         if !folder.is_dir() {
             return Err(SaveError::NoFolder(named.into()));
         }
         let failed = |doing| move |source| SaveError::Io { path: named.into(), doing, source };
-        let count = COUNT.fetch_add(1, Ordering::Relaxed);
-        let path = folder.join(format!(".bevelscope.{}.{count}.new", std::process::id()));
-        // left over from a process of the same number that was ended half-way
-        let _ = fs::remove_file(&path);
-        let mut file = options(old.is_some()).open(&path).map_err(failed("a file cannot be made in its folder"))?;
+        let (path, mut file) = make(folder, old.is_some()).map_err(failed("a file cannot be made in its folder"))?;
         let draft = Self { path };
         file.write_all(content).map_err(failed("cannot be written"))?;
         if let Some(old) = old {
@@ -146,6 +142,23 @@ impl Draft {
         file.sync_all().map_err(failed("cannot be written"))?;
         Ok(draft)
     }
+}
+
+/// Makes a file with a name that nothing has.
+fn make(folder: &Path, private: bool) -> io::Result<(PathBuf, File)> {
+    /// How many may be left over from processes of the same number that were ended half-way
+    const MOST_LEFT: u64 = 1000;
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    for left in 1.. {
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = folder.join(format!(".bevelscope.{}.{count}.new", std::process::id()));
+        match options(private).open(&path) {
+            Ok(file) => return Ok((path, file)),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && left < MOST_LEFT => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(io::ErrorKind::AlreadyExists.into())
 }
 
 /// What is to replace a file is nobody else's to read before it has that file's permissions.

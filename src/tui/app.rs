@@ -177,6 +177,7 @@ impl App {
         if path == self.detail.path {
             return Vec::new();
         }
+        self.notice = None;
         self.detail = Detail { path, ..Detail::default() };
         if self.mode == Mode::Text {
             self.mode = Mode::Library;

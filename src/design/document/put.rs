@@ -15,6 +15,9 @@ pub(super) fn put(view: &View<'_>, path: &KeyPath, value: &str) -> Result<Vec<Sp
         Spot::Missing => {}
         _ => return Err(EditError::NoValue(path.clone())),
     }
+    if let Some(row) = missing_row(view, path) {
+        return Err(EditError::NotThere(row));
+    }
     match path.split_last() {
         Some((table, Step::Key(key))) => {
             let key = NewKey { name: key, line: format!("{} = {value}", toml_key(key)) };
@@ -22,6 +25,18 @@ pub(super) fn put(view: &View<'_>, path: &KeyPath, value: &str) -> Result<Vec<Sp
         }
         _ => Err(EditError::NotThere(path.clone())),
     }
+}
+
+/// The first entry of a list on the way that is not there: those are not made.
+fn missing_row(view: &View<'_>, path: &KeyPath) -> Option<KeyPath> {
+    let mut at = KeyPath::root();
+    for step in path.steps() {
+        at = at.with(step.clone());
+        if !matches!(step, Step::Key(_)) && view.tree.at(&at).is_none() {
+            return Some(at);
+        }
+    }
+    None
 }
 
 /// A key to add.

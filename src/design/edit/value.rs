@@ -39,6 +39,8 @@ pub(super) fn set(steps: &mut Steps, path: &KeyPath, value: &str) -> Result<KeyP
 
 pub(super) fn remove(steps: &mut Steps, path: &KeyPath) -> Result<KeyPath, EditError> {
     match field(path) {
+        // its default holds already
+        Some((_, [])) if steps.tree().at(path).is_none() => {}
         Some((Field { kind: Kind::Vector(_) | Kind::Matrix, .. }, [_, ..])) => {
             return Err(EditError::Refused(format!("{path} cannot be left empty")));
         }

@@ -24,26 +24,29 @@ pub enum Shape {
 }
 
 impl Sheet {
-    /// Every sheet, in the order of the schema; parents before what is below them.
+    /// Every sheet, in the order of the schema; each followed by those below it.
     pub fn all() -> Vec<Self> {
         let mut sheets = vec![Self::design()];
-        let mut next = 0;
-        while let Some(Self { path, shape, table }) = sheets.get(next).cloned() {
-            next += 1;
-            if shape != Shape::Single {
-                continue;
-            }
-            sheets.extend(table.fields.iter().filter_map(|field| {
-                let path = path.key(field.key);
-                match field.kind {
-                    Kind::Table(table) => Some(Self { path, shape: Shape::Single, table }),
-                    Kind::Tables(table, at_least) => Some(Self { path, shape: Shape::List { at_least }, table }),
-                    Kind::NamedTables(table) => Some(Self { path, shape: Shape::Named, table }),
-                    _ => None,
-                }
-            }));
-        }
+        sheets.extend(Self::design().below());
         sheets
+    }
+
+    fn below(&self) -> Vec<Self> {
+        let tables = self.table.fields.iter().filter_map(|field| {
+            let path = self.path.key(field.key);
+            match field.kind {
+                Kind::Table(table) => Some(Self { path, shape: Shape::Single, table }),
+                Kind::Tables(table, at_least) => Some(Self { path, shape: Shape::List { at_least }, table }),
+                Kind::NamedTables(table) => Some(Self { path, shape: Shape::Named, table }),
+                _ => None,
+            }
+        });
+        // what is below a row is part of the row
+        let with_below = |sheet: Self| {
+            let below = if sheet.shape == Shape::Single { sheet.below() } else { Vec::new() };
+            std::iter::once(sheet).chain(below)
+        };
+        tables.flat_map(with_below).collect()
     }
 
     /// Name, description, tags, parent, note.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::{VariantName, files};
 use crate::design::save::{SaveError, move_to_free, save, save_new};
-use crate::design::{Document, EditError, KeyPath};
+use crate::design::{Document, EditError, KeyPath, Spelled};
 
 /// Why there is no variant.
 #[derive(Debug, thiserror::Error)]
@@ -49,12 +49,12 @@ pub fn save_variant(
 fn with_about(text: &str, about: About<'_>) -> Result<String, EditError> {
     let mut document = Document::parse(text)?;
     if let Some(name) = about.design_name {
-        document.set(&KeyPath::root().key("name"), name)?;
+        document.put(&KeyPath::root().key("name"), Spelled::text(name).as_str())?;
     }
     for (key, value) in [("parent", about.parent), ("note", about.note)] {
         let path = KeyPath::root().key(key);
         match value {
-            Some(value) => document.set(&path, value)?,
+            Some(value) => drop(document.put(&path, Spelled::text(value).as_str())?),
             None if document.raw(&path).is_some() => document.unset(&path)?,
             None => {}
         }

@@ -21,6 +21,7 @@ impl App {
         if known.is_some_and(|editing| editing.is_modified() || editing.is_saving) {
             return self.show_editor(path);
         }
+        self.notice = None;
         self.editors.opening = Some(path.clone());
         vec![Effect::File(FileJob::Open { path })]
     }
@@ -295,7 +296,7 @@ impl App {
                 return Vec::new();
             }
         }
-        if self.editors.is_leaving {
+        if self.editors.is_leaving || self.mode == Mode::Leave {
             if self.editors.unsaved().next().is_none() {
                 return vec![Effect::Quit(Ending::Quit)];
             }
@@ -307,6 +308,9 @@ impl App {
     fn save_form(&mut self) -> Vec<Effect> {
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
         let (original, text) = (editing.path.clone(), editing.editor.text().to_owned());
+        if editing.is_saving {
+            return Vec::new();
+        }
         let Some(Layer::Form(form)) = &mut editing.layer else { return Vec::new() };
         match form.checked_name() {
             Ok(name) => {

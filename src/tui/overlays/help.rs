@@ -14,7 +14,7 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use crate::text::cut;
-use crate::tui::action::{ACTIONS, Action, Category};
+use crate::tui::action::{ACTIONS, About, Action, Category};
 use crate::tui::app::App;
 use crate::tui::keymap::{self, Mode};
 use crate::tui::theme::Theme;
@@ -26,7 +26,7 @@ const KEYS: usize = 20;
 /// Draws the help over `area`.
 pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
-    let lines = lines(&theme);
+    let lines = lines(&theme, if app.editors.open().is_some() { EDITOR } else { EXPLORER });
     let width = area.width.saturating_sub(4).min(78);
     let height = area.height.min(lines.len() as u16 + 2);
     let window = Rect { x: area.x + (area.width - width) / 2, y: area.y + (area.height - height) / 2, width, height };
@@ -62,10 +62,20 @@ enum Line {
     Entry(String, String),
 }
 
-fn lines(theme: &Theme) -> Vec<Line> {
+/// Where letters are keys, and where they are text.
+type Modes = (&'static [Mode], &'static [Mode]);
+
+const EXPLORER: Modes = (&[Mode::Library, Mode::Text], &[Mode::Filter]);
+const EDITOR: Modes =
+    (&[Mode::Table, Mode::Matrix, Mode::Choice, Mode::Findings, Mode::Leave], &[Mode::Cell, Mode::Form]);
+
+fn lines(theme: &Theme, (keyed, typed): Modes) -> Vec<Line> {
     let ascii = theme.glyphs.ascii;
     let mut lines = Vec::new();
     let mut section = |title: &'static str, entries: Vec<Line>| {
+        if entries.is_empty() {
+            return;
+        }
         if !lines.is_empty() {
             lines.push(Line::Title(""));
         }
@@ -73,24 +83,19 @@ fn lines(theme: &Theme) -> Vec<Line> {
         lines.extend(entries);
     };
     for category in Category::ALL {
-        let entries = ACTIONS.iter().filter(|about| about.category == category).filter_map(|about| {
-            let keys = keys_where_letters_are_keys(about.action, ascii);
-            (!keys.is_empty()).then(|| Line::Entry(keys.join(" "), about.doc.into()))
-        });
-        section(category.title(), entries.collect());
+        let entries = ACTIONS.iter().filter(|about| about.category == category);
+        section(category.title(), entries.filter_map(|about| entry(about, keyed, ascii)).collect());
     }
-    let typing = ACTIONS.iter().filter(|about| keys_where_letters_are_keys(about.action, ascii).is_empty());
-    let typing =
-        typing.map(|about| Line::Entry(keys_in(&Mode::TYPING, about.action, ascii).join(" "), about.doc.into()));
-    section("While something is typed", typing.collect());
+    let typing = ACTIONS.iter().filter(|about| keys_in(keyed, about.action, ascii).is_empty());
+    section("While something is typed", typing.filter_map(|about| entry(about, typed, ascii)).collect());
     section("Marks", marks(theme));
     lines
 }
 
-/// The keys of an action where no letter is text.
-fn keys_where_letters_are_keys(action: Action, ascii: bool) -> Vec<String> {
-    let modes: Vec<Mode> = Mode::ALL.into_iter().filter(|mode| !Mode::TYPING.contains(mode)).collect();
-    keys_in(&modes, action, ascii)
+/// An action with its keys, if it has some in these modes.
+fn entry(about: &About, modes: &[Mode], ascii: bool) -> Option<Line> {
+    let keys = keys_in(modes, about.action, ascii);
+    (!keys.is_empty()).then(|| Line::Entry(keys.join(" "), about.doc.into()))
 }
 
 fn keys_in(modes: &[Mode], action: Action, ascii: bool) -> Vec<String> {
