@@ -46,7 +46,7 @@
 //! - Inside the program a number is SI, a frequency in Hz or rad/s as its name says; every number that leaves it has a unit in
 //!   its key or header (`tests/invariants.rs`, `tests/cli.rs`).
 //! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
-//! - A [`rotor::Rotor`] that exists can be solved; a [`design::Design`] that was read has passed every check that needs no
+//! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
 //! - An edit changes the bytes that it is about and no others; undone, it gives the file back byte for byte
 //!   (`tests/design_edit_properties.rs`).
@@ -60,6 +60,7 @@ pub mod commands;
 pub mod comparison;
 pub mod design;
 pub mod model;
+pub mod number;
 pub mod report;
 pub mod response;
 pub mod rotor;

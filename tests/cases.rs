@@ -8,6 +8,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 use bevelscope::commands::{Cli, Status};
+use bevelscope::comparison::solve;
+use bevelscope::model::{ModelKind, Rotors};
 use clap::Parser;
 use serde_json::Value;
 
@@ -181,5 +183,21 @@ fn below_the_bending_modes_the_enhanced_model_agrees_and_the_basic_one_does_not(
         println!("{case}: enhanced {enhanced:.2} dB, basic {basic:.2} dB RMS from 10 to 1500 Hz");
         assert!(enhanced < 1.0, "{case}: {enhanced}");
         assert!(basic > 3.0, "{case}: {basic}");
+    }
+}
+
+/// A lumped model is statically exact: its response tends to that of finite elements as the frequency goes to zero.
+#[test]
+fn both_lumped_models_are_right_at_low_frequency() {
+    for shipped in bevelscope::design::library::SHIPPED {
+        let design = bevelscope::design::read(shipped.text).design.unwrap();
+        let rotors = Rotors::new(&design).unwrap();
+        let at_1_hz = |kind| solve(kind, &design, &rotors, &[1.0]).unwrap().mesh_force[0];
+        let fe = at_1_hz(ModelKind::Fe);
+        for kind in [ModelKind::Enhanced, ModelKind::Basic] {
+            let error = (at_1_hz(kind) - fe).norm() / fe.norm();
+            println!("{} {}: {error:.1e} at 1 Hz", shipped.file_name, kind.name());
+            assert!(error < 1e-6, "{} {}: {error:e}", shipped.file_name, kind.name());
+        }
     }
 }

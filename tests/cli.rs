@@ -272,7 +272,98 @@ fn escape_sequences_in_names_are_shown_harmlessly() {
 #[test]
 fn a_folder_without_designs_is_refused() {
     let folder = tempfile::tempdir().unwrap();
-    refused(&["check", folder.path().to_str().unwrap()], &["no design"]);
+    // a row with its reason, and the rest goes on
+    let output = bevelscope(&["check", folder.path().to_str().unwrap(), &elastic()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stdout(&output).contains("the folder holds no design"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("2,997"), "{}", stdout(&output));
+}
+
+/// Warnings are no errors, but `check` must not swallow them.
+#[test]
+fn check_shows_warnings() {
+    let (_folder, file) = folder_with("odd.toml", elastic_text().replace("= 0.00026", "= 0.26"));
+    let table = bevelscope(&["check", &file]);
+    assert_eq!(table.status.code(), Some(0));
+    assert!(stdout(&table).contains("odd !"), "{}", stdout(&table));
+    assert!(stdout(&table).contains("polar_inertia_kg_m2"), "{}", stdout(&table));
+    let json = bevelscope(&["check", &file, "--format", "json"]);
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert!(json[0]["warnings"].as_str().unwrap().contains("polar_inertia_kg_m2"), "{json}");
+}
+
+/// A result is worth more than its warnings.
+#[cfg(target_os = "linux")]
+#[test]
+fn warnings_that_cannot_be_written_lose_no_result() {
+    let (_folder, file) = folder_with("odd.toml", elastic_text().replace("= 0.00026", "= 0.26"));
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = Command::new(PROGRAM).args(["inspect", &file]).stderr(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(stdout(&output).contains("GEAR"));
+}
+
+/// Sizes at which a count of parts or a bracket would never end: an error that names a result, in bounded time.
+#[test]
+fn senseless_sizes_come_to_an_end() {
+    let text = elastic_text();
+    for (from, to) in [
+        ("outer_diameter_mm = 44.0", "outer_diameter_mm = 1e-300"),
+        ("outer_diameter_mm = 44.0", "outer_diameter_mm = 1e100"),
+        ("length_mm = 36.0", "length_mm = 1e100"),
+        ("mass_kg = 3.67", "mass_kg = 1e200"),
+        ("kx_n_per_m = 6.0e8", "kx_n_per_m = 1e250"),
+        ("point_mm = [0.0, 0.0, 27.4595]", "point_mm = [1e300, 0.0, 27.4595]"),
+        ("frequency_max_hz = 4000.0", "frequency_max_hz = 1e300"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let (_folder, file) = folder_with("senseless.toml", text.replacen(from, to, 1));
+        for command in ["solve", "modes", "inspect", "check"] {
+            let output = bevelscope(&[command, &file, "--format", "json"]);
+            let status = output.status.code();
+            assert!(matches!(status, Some(0 | 2)), "{command} {to}: {status:?} {}", stderr(&output));
+            if status == Some(0) {
+                assert_no_null_number(&serde_json::from_slice(&output.stdout).unwrap(), &format!("{command} {to}"));
+            }
+        }
+    }
+}
+
+/// JSON has no infinity: a number that overflowed would be null. Only partners of peaks and modes may be missing.
+fn assert_no_null_number(value: &Value, what: &str) {
+    match value {
+        Value::Object(fields) => {
+            for (key, value) in fields {
+                let may_miss = ["paired_with", "fe_hz", "lumped_hz", "shift_percent", "height_db"];
+                assert!(!value.is_null() || may_miss.contains(&key.as_str()), "{what}: {key} is null");
+                assert_no_null_number(value, what);
+            }
+        }
+        Value::Array(values) => {
+            for value in values {
+                assert!(!value.is_null(), "{what}: null in a list");
+                assert_no_null_number(value, what);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A range in which all lines are one frequency is a plateau from end to end.
+#[test]
+fn a_range_of_one_frequency_is_solved_in_time() {
+    let text = elastic_text()
+        .replace("frequency_min_hz = 10.0", "frequency_min_hz = 1000.0")
+        .replace("frequency_max_hz = 4000.0", "frequency_max_hz = 1000.0000000000002")
+        .replace("frequency_lines = 1000", "frequency_lines = 200000");
+    let (_folder, file) = folder_with("flat.toml", text);
+    assert!(bevelscope(&["check", &file]).status.success());
+}
+
+#[test]
+fn a_mistyped_command_is_recognised() {
+    refused(&["slove"], &["did you mean the command `solve`"]);
+    refused(&["-"], &["standard input"]);
 }
 
 #[test]

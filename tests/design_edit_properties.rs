@@ -3,9 +3,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
-use bevelscope::design::grid::{CellKind, Sheet};
+use bevelscope::design::grid::{CellKind, Grid, Sheet};
 use bevelscope::design::library::SHIPPED;
-use bevelscope::design::{Edit, EditError, Editor, KeyPath, Side, Spelled, Towards};
+use bevelscope::design::{Document, Edit, EditError, Editor, KeyPath, Side, Spelled, Towards, diff, read};
 use proptest::prelude::*;
 
 /// The shipped designs, the same with other line ends and a byte order mark, and those of the fixtures that use inline
@@ -139,6 +139,65 @@ proptest! {
             prop_assert_eq!(old.ends_with('\r'), new.ends_with('\r'));
         }
     }
+}
+
+/// Pieces that make a text something else where they are put in.
+const PIECES: [&str; 16] = [
+    "\"",
+    "'''",
+    "[",
+    "]",
+    "{",
+    "}",
+    "[[pinion.segment]]\n",
+    "\n[pinion]\n",
+    "#",
+    "\n",
+    ",",
+    "\\",
+    "name.x = 1\n",
+    "ä",
+    "= 5\n",
+    "\r",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    // Damaged files are shown as far as they can be read; those that are still TOML are edited, or the edit is refused.
+    #[test]
+    fn no_text_breaks_it(
+        which in 0..64_usize,
+        damage in proptest::collection::vec((any::<usize>(), 0..PIECES.len(), 0..20_usize), 1..4),
+        picks in proptest::collection::vec((0..14_usize, any::<u16>(), any::<u16>()), 4),
+    ) {
+        let texts = texts();
+        let whole = &texts[which % texts.len()];
+        let mut text = whole.clone();
+        for (at, piece, cut) in damage {
+            let start = boundary(&text, at % (text.len() + 1));
+            let end = boundary(&text, (start + cut).min(text.len()));
+            text.replace_range(start..end, PIECES[piece]);
+        }
+        let findings = read(&text).findings;
+        for sheet in Sheet::all() {
+            Grid::new(&text, &findings, &sheet);
+        }
+        diff(&text, whole);
+        let Ok(mut editor) = Editor::new(text.as_str()) else { return Ok(()) };
+        for (kind, pick, value) in picks {
+            let edit = edit(&editor, kind, pick.into(), value.into());
+            let _ = editor.apply(&edit);
+            prop_assert!(Document::parse(editor.text()).is_ok());
+        }
+        while editor.undo().is_some() {}
+        prop_assert_eq!(editor.text(), text);
+    }
+}
+
+/// The byte itself, or the start of the character that it is in the middle of.
+fn boundary(text: &str, at: usize) -> usize {
+    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }
 
 /// Every comment outlives an edit, unless what it stands beside was taken out; line ends and the byte order mark stay.

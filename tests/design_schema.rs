@@ -159,3 +159,14 @@ fn a_matrix_is_made_exactly_symmetric() {
     // the mean of 1e7 and 1.00005e7
     assert!((matrix[0][1] - 10_000_250.0).abs() < 1e-6);
 }
+
+/// `UPDATE=1 cargo test --test design_schema` writes the page anew.
+#[test]
+fn the_reference_page_is_that_of_the_schema() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/design-file.md");
+    let page = bevelscope::design::reference::page();
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(path, &page).unwrap();
+    }
+    assert!(std::fs::read_to_string(path).unwrap() == page, "docs/design-file.md is not what the schema says");
+}

@@ -113,3 +113,45 @@ fn look_at_keys(value: &Value, key: &str, numbers: &mut usize) {
         _ => {}
     }
 }
+
+/// The data flow of ARCHITECTURE.md: which modules of the crate each part may name.
+#[test]
+fn modules_know_what_the_architecture_says() {
+    const MAY_KNOW: [(&str, &[&str]); 7] = [
+        ("design/", &["design", "units", "text", "number", "rotor"]),
+        ("rotor/", &["rotor", "design"]),
+        ("model/", &["model", "rotor", "design"]),
+        ("response/", &["response", "model", "rotor", "design"]),
+        ("agreement/", &["agreement", "response", "model", "rotor", "design"]),
+        ("report/", &["report", "comparison", "model", "text"]),
+        (
+            "tui/",
+            &["tui", "agreement", "comparison", "design", "model", "number", "rotor", "text", "units", "response"],
+        ),
+    ];
+    for (name, code) in sources() {
+        let Some((_, allowed)) = MAY_KNOW.iter().find(|(part, _)| name.starts_with(part)) else { continue };
+        for rest in code.split("crate::").skip(1) {
+            let module: String = rest.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect();
+            // `$crate::design` of a macro, `crate::{..}` and the like have no module name here
+            let known = module.is_empty() || allowed.contains(&module.as_str());
+            assert!(known, "src/{name} names crate::{module}");
+        }
+    }
+}
+
+/// Files that the documentation sends its readers to.
+#[test]
+fn files_named_in_the_documentation_exist() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for document in ["README.md", "ARCHITECTURE.md", "src/lib.rs"] {
+        let text = fs::read_to_string(root.join(document)).unwrap();
+        for name in text.split('`').skip(1).step_by(2) {
+            let is_path =
+                ["src/", "tests/", "benches/", "docs/", "designs/"].iter().any(|folder| name.starts_with(folder));
+            if is_path && !name.contains(['*', ' ', '#']) {
+                assert!(root.join(name).exists(), "{document} names {name}");
+            }
+        }
+    }
+}

@@ -215,7 +215,10 @@ fn the_program_shows_the_shipped_designs() {
     terminal.press("G");
     terminal.wait_for_text("enhanced: trust up to 3,364 Hz,  2.79 dB RMS");
     terminal.press("?");
-    terminal.wait_for_text("Moving");
+    // all of its frame, or the Esc and the q after it come as one key
+    terminal.wait_for("the help", |screen| {
+        screen.contents().contains("Moving") && !screen.contents().contains("Side view")
+    });
     terminal.press("\x1b");
     terminal.wait_for("the help to close", |screen| screen.contents().contains("Side view"));
     terminal.press("q");
@@ -272,6 +275,46 @@ fn signals_restore_the_terminal_and_end_the_program_in_time() {
             terminal.assert_restored();
         }
     }
+}
+
+/// The program hangs in a write that nobody reads; the shell still gets the terminal back.
+#[test]
+fn a_signal_ends_the_program_though_nobody_reads() {
+    let mut terminal = Terminal::program(&[concat!(env!("CARGO_MANIFEST_DIR"), "/designs")], &[]);
+    terminal.wait_for_text(FRAME);
+    terminal.closing.store(true, Ordering::SeqCst);
+    // far more redraws than a pseudo-terminal keeps
+    for _ in 0..50 {
+        terminal.press("\x0c");
+        thread::sleep(Duration::from_millis(20));
+    }
+    terminal.signal("TERM");
+    let status = terminal.wait(Duration::from_secs(4));
+    assert!(!status.success(), "{status:?}");
+}
+
+#[test]
+fn the_whole_screen_can_be_drawn_again() {
+    let mut terminal = Terminal::start("child_explorer", &[]);
+    terminal.wait_for_text(FRAME);
+    let before = terminal.output().len();
+    terminal.press("\x0c");
+    terminal.wait_for("another frame", |_| terminal.output().len() > before + 2000);
+    // the terminal is asked nothing: its answer would be read as keys
+    assert!(!String::from_utf8_lossy(&terminal.output()).contains("\x1b[6n"));
+    terminal.press("j");
+    terminal.wait_for_text("trust up to 3,364 Hz");
+    terminal.press("q");
+    assert!(terminal.wait(LONG).success());
+}
+
+#[test]
+fn arguments_do_not_steer_the_terminal() {
+    let mut terminal = Terminal::program(&["solve", "a.toml", "x\x1b[31mRED"], &[]);
+    assert_eq!(terminal.wait(LONG).exit_code(), 2);
+    terminal.wait_for_text("RED");
+    let output = String::from_utf8_lossy(&terminal.output()).into_owned();
+    assert!(!output.contains("\x1b[31m"), "{output:?}");
 }
 
 #[test]
@@ -363,9 +406,12 @@ fn keys_reach_the_explorer_and_an_idle_one_writes_nothing() {
     // on its own, or the terminal's reader takes Esc and the next key for one
     terminal.press("\x1b");
     terminal.wait_for_text("Designs 3 of 6");
-    // each frame is one synchronized update
+    // each frame is one synchronized update; the end of the last one may still be on its way
+    terminal.wait_for("the end of the frame", |_| {
+        let output = String::from_utf8_lossy(&terminal.output()).into_owned();
+        output.matches("\x1b[?2026h").count() == output.matches("\x1b[?2026l").count()
+    });
     let output = String::from_utf8_lossy(&terminal.output()).into_owned();
-    assert_eq!(output.matches("\x1b[?2026h").count(), output.matches("\x1b[?2026l").count());
     // the terminal's own selection works: the mouse is never asked for
     for mouse in ["\x1b[?1000h", "\x1b[?1002h", "\x1b[?1003h", "\x1b[?1006h"] {
         assert!(!output.contains(mouse));

@@ -251,8 +251,10 @@ fn every_action_is_in_the_palette_of_a_mode_that_has_it_or_has_a_key_there() {
 
 #[test]
 fn every_action_is_in_the_help_with_its_keys() {
-    let screen = Folder::screen(80, 24);
-    let lines = screen.app.help_lines();
+    let mut lines = Folder::screen(80, 24).app.help_lines();
+    // the help over the tables has theirs
+    let mut tables = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+    lines.extend(tables.keys("e").app.help_lines());
     for about in ACTIONS {
         let line = lines.iter().find(|line| matches!(line, HelpLine::Entry { name, .. } if *name == about.name));
         let Some(HelpLine::Entry { keys, text, .. }) = line else { panic!("no help for {}", about.name) };

@@ -399,7 +399,8 @@ fn a_newer_request_ends_the_older_one_and_so_does_the_key() {
     solving.recv_timeout(LONG).unwrap();
     // it is followed in percent, and keys are answered meanwhile
     screen.send(messages.recv_timeout(LONG).unwrap());
-    assert!(screen.text().contains("stale, solving 50 %"), "{}", screen.text());
+    let text = screen.text();
+    assert!(text.contains("stale, solving 50 %") && text.contains("X stop solving"), "{text}");
     hand_over(&mut screen, "lll");
     hand_over(&mut screen, "hhhX");
     assert!(screen.text().contains("stopped solving"), "{}", screen.text());

@@ -40,6 +40,11 @@ fn screens() -> Vec<Screen> {
     })
     .collect();
     screens.push(Screen::new(80, 24, ASCII));
+    for keys in ["e2j", "elc-5<Enter>f", "e2lll l<Enter>c1 kg<Enter>"] {
+        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+        screen.keys(keys);
+        screens.push(screen);
+    }
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
     for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
         let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());

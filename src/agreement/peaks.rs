@@ -8,8 +8,6 @@ pub struct Peak {
     pub frequency_hz: f64,
     /// dB re 1 N
     pub level_db: f64,
-    /// How far the spectrum falls on both sides before it rises higher, dB
-    pub prominence_db: f64,
 }
 
 /// A peak of the finite element model and its partner; one side is `None` where it has none.
@@ -32,11 +30,15 @@ pub fn peaks(frequency_hz: &[f64], force: &[Complex64]) -> Vec<Peak> {
     let after = lowest_since_higher(level.iter().rev().copied());
     let mut found = Vec::new();
     for i in 1..level.len().saturating_sub(1) {
-        let rises = level[i - 1] < level[i];
+        if level[i - 1] >= level[i] {
+            continue;
+        }
+        // only from the first line of a plateau: each line is looked at once
         let falls = level[i + 1..].iter().find(|next| **next != level[i]).is_some_and(|next| *next < level[i]);
+        // how far the spectrum falls on both sides before it rises higher
         let prominence_db = level[i] - before[i].max(after[level.len() - 1 - i]);
-        if rises && falls && prominence_db >= LEAST_PROMINENCE_DB {
-            found.push(Peak { frequency_hz: frequency_hz[i], level_db: level[i], prominence_db });
+        if falls && prominence_db >= LEAST_PROMINENCE_DB {
+            found.push(Peak { frequency_hz: frequency_hz[i], level_db: level[i] });
         }
     }
     found

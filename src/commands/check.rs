@@ -2,14 +2,16 @@
 
 use std::io::{self, Write};
 use std::ops::ControlFlow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError, mpsc};
 
-use super::{CommandError, Format, Status, input};
+use super::{CommandError, Format, Status};
 use crate::agreement::{Agreement, PeakPair};
 use crate::comparison;
-use crate::design::library;
-use crate::report::{Table, grouped, json};
+use crate::design::{self, LoadError, library};
+use crate::number::grouped;
+use crate::report::{Table, json};
 use crate::text::printable;
 
 #[derive(Debug, clap::Args)]
@@ -50,8 +52,7 @@ fn parse_limit(text: &str) -> Result<f64, String> {
 }
 
 pub fn run(args: &Args, out: &mut impl Write) -> Result<Status, CommandError> {
-    let files = files(&args.paths)?;
-    let rows = checked_in_parallel(&files, args);
+    let rows = checked_in_parallel(designs(&args.paths), args);
     match args.format {
         Format::Json => json::write(out, &rows)?,
         Format::Table => write_table(out, &rows, args)?,
@@ -66,23 +67,17 @@ pub fn run(args: &Args, out: &mut impl Write) -> Result<Status, CommandError> {
     })
 }
 
-/// The design files meant: those of folders by file name, the others as they are.
-fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, CommandError> {
-    let mut files = Vec::new();
+/// What the arguments name: the designs of folders by file name, files as they are, and why there is none.
+fn designs(paths: &[PathBuf]) -> Vec<Result<PathBuf, Row>> {
+    let mut designs = Vec::new();
     for path in paths {
-        if !path.is_dir() {
-            files.push(path.clone());
-            continue;
-        }
-        let shown = path.display().to_string();
-        let found = library::files(std::slice::from_ref(path));
+        let found = if path.is_dir() { library::files(std::slice::from_ref(path)) } else { vec![path.clone()] };
         if found.is_empty() {
-            let message = format!("{}: the folder holds no design (no .toml file)", printable(&shown));
-            return Err(CommandError::Usage(message));
+            designs.push(Err(Row::failed(path, "the folder holds no design (no .toml file)".into())));
         }
-        files.extend(found);
+        designs.extend(found.into_iter().map(Ok));
     }
-    Ok(files)
+    designs
 }
 
 #[derive(serde::Serialize)]
@@ -97,6 +92,9 @@ enum Row {
         within_limits: Option<bool>,
         enhanced: Figures,
         basic: Figures,
+        /// What looks unintended in the file, as text
+        #[serde(skip_serializing_if = "String::is_empty")]
+        warnings: String,
     },
     Failed {
         file: String,
@@ -122,6 +120,12 @@ struct Peak {
     height_db: Option<f64>,
 }
 
+impl Row {
+    fn failed(file: &Path, error: String) -> Self {
+        Self::Failed { file: file.display().to_string(), error }
+    }
+}
+
 impl From<Agreement> for Figures {
     fn from(agreement: Agreement) -> Self {
         let Agreement { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks } = agreement;
@@ -136,38 +140,50 @@ impl From<Agreement> for Figures {
 }
 
 /// All rows in the order given; as many designs at a time as there are cores.
-fn checked_in_parallel(files: &[PathBuf], args: &Args) -> Vec<Row> {
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(files.len());
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let i = next.fetch_add(1, Ordering::Relaxed);
-            let Some(file) = files.get(i) else { return done };
-            done.push((i, checked(file, args)));
+fn checked_in_parallel(designs: Vec<Result<PathBuf, Row>>, args: &Args) -> Vec<Row> {
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(designs.len());
+    let (sender, rows) = mpsc::channel();
+    let queue = Mutex::new(designs.into_iter().enumerate());
+    let work = |sender: mpsc::Sender<(usize, Row)>| {
+        let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+        while let Some((i, design)) = next() {
+            let row = design.map_or_else(|row| row, |file| guarded(&file, args));
+            if sender.send((i, row)).is_err() {
+                return;
+            }
         }
     };
-    let mut rows: Vec<(usize, Row)> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (1..workers).map(|_| scope.spawn(work)).collect();
-        let own = work();
-        own.into_iter().chain(threads.into_iter().flat_map(|thread| thread.join().unwrap_or_default())).collect()
+    std::thread::scope(|scope| {
+        for _ in 1..workers {
+            let sender = sender.clone();
+            scope.spawn(|| work(sender));
+        }
+        work(sender);
     });
+    let mut rows: Vec<(usize, Row)> = rows.iter().collect();
     rows.sort_by_key(|(i, _)| *i);
     rows.into_iter().map(|(_, row)| row).collect()
 }
 
+/// A design that makes the program fail is a row like any other that cannot be solved.
+fn guarded(file: &Path, args: &Args) -> Row {
+    catch_unwind(AssertUnwindSafe(|| checked(file, args)))
+        .unwrap_or_else(|_| Row::failed(file, "the program failed on this design".into()))
+}
+
 fn checked(file: &Path, args: &Args) -> Row {
-    let failed = |error: String| Row::Failed { file: file.display().to_string(), error };
-    // warnings are about the design, not about the agreement: `solve` and `inspect` show them
-    let loaded = match input::load(file, &mut io::sink()) {
+    let loaded = match design::load(file) {
         Ok(loaded) => loaded,
-        Err(error) => return failed(error.to_string()),
+        // findings say where in the file they are; all else is said of the row's file
+        Err(error @ LoadError::Invalid { .. }) => return Row::failed(file, error.to_string()),
+        Err(error) => return Row::failed(file, error.reason()),
     };
+    let warnings = loaded.render_warnings();
     let design = &loaded.design;
     let compared = comparison::compare_over(design, args.band.map(|band| band.0), &mut |_| ControlFlow::Continue(()));
     let compared = match compared {
         Ok(compared) => compared,
-        Err(error) => return failed(error.to_string()),
+        Err(error) => return Row::failed(file, error.to_string()),
     };
     let agreement = &compared.enhanced_agreement;
     let limited = args.max_rms_db.is_some() || args.min_limit_hz.is_some();
@@ -181,6 +197,7 @@ fn checked(file: &Path, args: &Args) -> Row {
         within_limits: limited.then_some(within),
         enhanced: compared.enhanced_agreement.into(),
         basic: compared.basic_agreement.into(),
+        warnings,
     }
 }
 
@@ -195,9 +212,11 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
     let mut table = Table::with_heads(heads.into_iter().map(str::to_owned).collect()).widest_name(20);
     for row in rows {
         match row {
-            Row::Checked { file, enhanced, basic, within_limits, .. } => {
+            Row::Checked { file, enhanced, basic, within_limits, warnings, .. } => {
+                // a warning does not make a design wrong, but nobody should miss it
+                let mark = if warnings.is_empty() { "" } else { " !" };
                 let mut cells = vec![
-                    stem(file),
+                    stem(file) + mark,
                     grouped(enhanced.agreement_limit_hz),
                     format!("{:.2}", enhanced.rms_db),
                     format!("{:.2}", enhanced.max_db),
@@ -216,12 +235,19 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
     }
     write!(out, "{table}")?;
     for row in rows {
-        if let Row::Failed { file, error } = row {
-            write!(out, "\n{}:", printable(file))?;
-            for line in error.trim_end().lines() {
-                write!(out, "\n  {}", printable(line))?;
-            }
-            writeln!(out)?;
+        let (file, text) = match row {
+            Row::Checked { file, warnings, .. } => (file, warnings),
+            Row::Failed { file, error } => (file, error),
+        };
+        if text.is_empty() {
+            continue;
+        }
+        writeln!(out)?;
+        if !text.starts_with(printable(file).as_ref()) {
+            write!(out, "{}: ", printable(file))?;
+        }
+        for line in text.trim_end().lines() {
+            writeln!(out, "{}", printable(line))?;
         }
     }
     Ok(())

@@ -12,7 +12,8 @@ use super::{CommandError, Format, Status, input};
 use crate::agreement::Agreement;
 use crate::comparison::{self, Comparison};
 use crate::design::{Difference, Loaded, diff};
-use crate::report::{Table, grouped, json};
+use crate::number::grouped;
+use crate::report::{Table, json};
 use crate::text::{cut, printable};
 
 #[derive(Debug, clap::Args)]

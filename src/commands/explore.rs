@@ -33,14 +33,26 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
         args.paths.clone()
     };
     if let Some(missing) = paths.iter().find(|path| !path.exists()) {
-        let shown = missing.display().to_string();
-        return Err(CommandError::Usage(format!("{}: there is no such file or folder", printable(&shown))));
+        return Err(CommandError::Usage(no_such(missing)));
     }
     let shown_as: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
     let (keys, keys_report) = args.keys.for_explorer()?;
     let options = tui::Options { ascii: args.ascii, keys, keys_report };
     let files = library::files(&paths);
     Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths) }))?)
+}
+
+/// The argument may be a mistyped command.
+fn no_such(path: &Path) -> String {
+    const ALIKE: f64 = 0.6;
+    let shown = path.display().to_string();
+    let commands = ["solve", "modes", "check", "inspect"];
+    let alike = |command: &&str| strsim::normalized_damerau_levenshtein(&shown, command) >= ALIKE;
+    let hint = commands.into_iter().find(alike);
+    let hint = hint.map(|command| format!("; did you mean the command `{command}`?")).unwrap_or_default();
+    let what =
+        if shown == "-" { "the explorer opens files, not standard input" } else { "there is no such file or folder" };
+    format!("{}: {what}{hint}", printable(&shown))
 }
 
 /// Designs from disk, solved here.

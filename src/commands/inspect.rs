@@ -8,7 +8,8 @@ use super::{CommandError, FileArg, Format, Status, input};
 use crate::comparison::SolveError;
 use crate::design::{Design, Side};
 use crate::model::{Model, ModelKind, Rotors};
-use crate::report::{Table, json, significant};
+use crate::number::significant;
+use crate::report::{Table, json};
 use crate::rotor::{Bending, Rotor};
 use crate::text::printable;
 
@@ -77,6 +78,8 @@ struct BendingOutput {
 #[derive(serde::Serialize)]
 struct BearingOutput<'a> {
     name: &'a str,
+    /// Translations that are held; the stiffness says nothing of them
+    hold: Vec<&'static str>,
     stiffness: [[f64; 6]; 6],
 }
 
@@ -96,6 +99,12 @@ impl<'a> RotorOutput<'a> {
     fn new(rotor: &'a Rotor) -> Self {
         let bearing = |support: &'a crate::rotor::Support| BearingOutput {
             name: &support.name,
+            hold: ["x", "y", "z"]
+                .into_iter()
+                .zip(support.held)
+                .filter(|(_, held)| *held)
+                .map(|(motion, _)| motion)
+                .collect(),
             stiffness: rows(&support.stiffness),
         };
         Self {
@@ -154,9 +163,15 @@ fn write_rotor(out: &mut impl Write, rotor: &RotorOutput<'_>) -> io::Result<()> 
         totals.row([format!("  {name}"), significant(value, 6), unit.into()]);
     }
     write!(out, "{totals}")?;
-    writeln!(out, "first bending mode, and effective mass and inertia at the mesh")?;
-    let mut bending =
-        Table::new(["  plane", "mode\nHz", "mass\nkg", "inertia\nkg m2", "energy\nmissed %", "from statics"]);
+    writeln!(out, "first bending mode, and what it makes of the rotor at the mesh (enhanced model)")?;
+    let mut bending = Table::new([
+        "  plane",
+        "mode\nHz",
+        "effective\nmass, kg",
+        "effective\ninertia, kg m2",
+        "kinetic energy\nmissed, %",
+        "taken from\nstatics",
+    ]);
     for (plane, mode) in [("  x-y", &rotor.bending.x), ("  y-z", &rotor.bending.z)] {
         let fallback = if mode.fallback.is_empty() { "-".into() } else { mode.fallback.join(", ") };
         bending.row([
@@ -172,8 +187,13 @@ fn write_rotor(out: &mut impl Write, rotor: &RotorOutput<'_>) -> io::Result<()> 
     writeln!(out, "stiffness at the mesh station K_ll (N/m, N/rad; N m/rad)")?;
     write!(out, "{}", matrix(&rotor.shaft_bearing_stiffness))?;
     for bearing in &rotor.bearings {
-        writeln!(out, "bearing \"{}\" (N/m, N/rad; N m/rad)", printable(bearing.name))?;
-        write!(out, "{}", matrix(&bearing.stiffness))?;
+        let name = printable(bearing.name);
+        if bearing.hold.is_empty() {
+            writeln!(out, "bearing \"{name}\" with Kc, before Khb (N/m, N/rad; N m/rad)")?;
+            write!(out, "{}", matrix(&bearing.stiffness))?;
+        } else {
+            writeln!(out, "bearing \"{name}\": rigid, holds {}", bearing.hold.join(", "))?;
+        }
     }
     Ok(())
 }

@@ -7,8 +7,9 @@ use crate::agreement::{ModePair, pair_modes};
 use crate::comparison::SolveError;
 use crate::design::Design;
 use crate::model::{Model, ModelKind, Rotors};
+use crate::number::significant;
+use crate::report::Table;
 use crate::report::json::{self, Object};
-use crate::report::{Table, significant};
 use crate::response::{EnergyShare, Mode, Modes};
 use crate::text::printable;
 

@@ -8,8 +8,9 @@ use super::{CommandError, FileArg, ModelArg, Status, input};
 use crate::comparison::{self, SolveError, Spectrum};
 use crate::design::Design;
 use crate::model::{ModelKind, Rotors};
+use crate::number::significant;
 use crate::report::json::{self, ComplexList, Object};
-use crate::report::{Table, csv, significant};
+use crate::report::{Table, csv};
 use crate::response::frequency_lines;
 use crate::text::printable;
 

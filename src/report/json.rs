@@ -27,11 +27,6 @@ impl From<&[num_complex::Complex64]> for ComplexList {
     }
 }
 
-/// A matrix as rows.
-pub fn rows(matrix: &nalgebra::Matrix6<f64>) -> [[f64; 6]; 6] {
-    std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]))
-}
-
 /// Writes one value on one line. Control characters beyond those that JSON must escape are escaped too, so that no name can
 /// command the terminal it is shown on.
 ///

@@ -2,8 +2,6 @@
 
 pub mod csv;
 pub mod json;
-mod number;
 mod text;
 
-pub use number::{grouped, significant};
 pub use text::Table;

@@ -22,6 +22,8 @@ pub enum ResponseError {
     NotFinite { side: Side, what: &'static str },
     #[error("{} shaft: the mass matrix or the stiffness cannot be factorised: values lie too many orders of magnitude apart", .0.name())]
     IllConditioned(Side),
-    #[error("the {what} is too large or too small to compute with at {at_hz} Hz")]
+    #[error("the natural modes with the mesh are too large or too small to compute with")]
+    ModesNotFinite,
+    #[error("the {what} is too large or too small to compute with at {at_hz:?} Hz")]
     LineNotFinite { what: &'static str, at_hz: f64 },
 }

@@ -42,14 +42,14 @@ impl Modes {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`].
+    /// As [`rotor_modes`], or a mode whose frequency or shape overflows.
     pub fn new(model: &Model, most: usize) -> Result<Self, ResponseError> {
         let mut uncoupled = Uncoupled::new(model)?;
         uncoupled.join_equal();
         uncoupled.drop_uncoupled(model.mesh_stiffness);
         let Uncoupled { lambda, g, shapes } = &uncoupled;
         let found = secular::eigenvalues(lambda, g, model.mesh_stiffness);
-        let mode = |eigenvalue: &Eigenvalue| {
+        let mode = |eigenvalue: &Eigenvalue| -> Result<Mode, ResponseError> {
             let shape = match *eigenvalue {
                 Eigenvalue::Kept(i) => shapes.column(i).into_owned(),
                 Eigenvalue::Moved { origin, offset } => {
@@ -67,9 +67,14 @@ impl Modes {
             let total: f64 = energy.iter().map(|(_, energy)| energy).sum();
             let shares = |part: &[(Motion, f64)]| share(part, total);
             let (pinion, gear) = energy.split_at(top);
-            Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() }
+            let mode = Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() };
+            if frequency_hz.is_finite() && total > 0.0 && mode.shape.iter().all(|entry| entry.is_finite()) {
+                Ok(mode)
+            } else {
+                Err(ResponseError::ModesNotFinite)
+            }
         };
-        Ok(Self(found.iter().take(most).map(mode).collect()))
+        Ok(Self(found.iter().take(most).map(mode).collect::<Result<_, _>>()?))
     }
 }
 
@@ -160,9 +165,12 @@ impl Uncoupled {
     }
 
     /// Modes that the mesh cannot feel stay as they are.
+    ///
+    /// Judged by what the spring mixes into their shape, k g_i g_j / lambda_i: their frequency moves by the square of that only.
     fn drop_uncoupled(&mut self, mesh_stiffness: f64) {
+        let all = self.g.iter().map(|g| g * g).sum::<f64>().sqrt();
         for (g, lambda) in self.g.iter_mut().zip(&self.lambda) {
-            if mesh_stiffness * *g * *g <= f64::EPSILON * lambda {
+            if mesh_stiffness * g.abs() * all <= f64::EPSILON * lambda {
                 *g = 0.0;
             }
         }

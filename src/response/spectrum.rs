@@ -76,7 +76,8 @@ impl Spectrum {
 /// The lines of an analysis, Hz, ascending, both ends exact.
 pub fn frequency_lines(analysis: &Analysis) -> Vec<f64> {
     let (low, high) = (analysis.frequency_min, analysis.frequency_max);
-    let last = analysis.frequency_lines - 1;
+    // a design that was read has two at least
+    let last = analysis.frequency_lines.max(2) - 1;
     let between = |i: usize| {
         let t = i as f64 / last as f64;
         match analysis.frequency_spacing {

@@ -64,6 +64,10 @@ impl Bending {
             inertia_fallback: inertia.is_none(),
         }
     }
+
+    fn is_finite(&self) -> bool {
+        [self.frequency, self.mass, self.inertia, self.energy_residual].iter().all(|figure| figure.is_finite())
+    }
 }
 
 /// Bending in the x-y and in the y-z plane; transfer matrices want the coarsest stations.
@@ -81,7 +85,8 @@ pub fn in_both_planes(
     let mode_z = mode(&plane_z, BendingPlane::Z)?;
     // most shafts are held alike in both planes
     let mode_x = if plane_x == plane_z { mode_z } else { mode(&plane_x, BendingPlane::X)? };
-    Ok([Bending::new(&mode_x, BendingPlane::X, statics), Bending::new(&mode_z, BendingPlane::Z, statics)])
+    let both = [Bending::new(&mode_x, BendingPlane::X, statics), Bending::new(&mode_z, BendingPlane::Z, statics)];
+    if both.iter().all(Bending::is_finite) { Ok(both) } else { Err(RotorError::NotFinite("first bending mode")) }
 }
 
 /// Lower natural frequency (rad/s) of the two-coordinate model with the static masses: near the first mode, a place to start.

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::count::natural_frequencies_below;
 use super::plane::Plane;
 use super::root::brent;
+use super::transfer::Piece;
 
 /// A natural mode of a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,28 +40,39 @@ pub fn first_mode(plane: &Plane, guess: f64) -> Option<PlaneMode> {
 /// Brackets the lowest natural frequency by counting, so that no close pair is skipped, and polishes it on the determinant.
 fn first_frequency(plane: &Plane, guess: f64) -> Option<f64> {
     const NARROW: f64 = 1e-13;
+    // there the search ends, and up to there no piece needs cutting into more than a handful of parts
+    let bound = plane.pieces.iter().map(Piece::clamped_bound).fold(f64::INFINITY, f64::min).sqrt();
+    let guess = guess.min(bound);
     if !(guess.is_finite() && guess > 0.0) {
         return None;
     }
     let below = |omega| natural_frequencies_below(plane, omega);
     let (mut low, mut high) = (0.97 * guess, 1.03 * guess);
-    while below(high) == 0 {
-        low = high;
-        high *= 1.5;
-        if !high.is_finite() {
+    while below(high)? == 0 {
+        if high > 1.02 * bound {
             return None;
         }
+        low = high;
+        high = (1.5 * high).min(1.03 * bound);
     }
-    while below(low) > 0 {
+    while below(low)? > 0 {
         high = low;
         low /= 1.5;
         if low < f64::MIN_POSITIVE {
             return None;
         }
     }
-    while below(high) > 1 && high - low > NARROW * high {
-        let middle = f64::midpoint(low, high);
-        if below(middle) == 0 { low = middle } else { high = middle }
+    let halve = |low: &mut f64, high: &mut f64| -> Option<()> {
+        let middle = f64::midpoint(*low, *high);
+        if below(middle)? == 0 {
+            *low = middle;
+        } else {
+            *high = middle;
+        }
+        Some(())
+    };
+    while below(high)? > 1 && high - low > NARROW * high {
+        halve(&mut low, &mut high)?;
     }
     let chain = Chain::new(plane);
     let reference = chain.equations(high).lu().determinant().abs();
@@ -70,8 +82,7 @@ fn first_frequency(plane: &Plane, guess: f64) -> Option<f64> {
     }
     // a double root has no change of sign: go on counting
     while high - low > NARROW * high {
-        let middle = f64::midpoint(low, high);
-        if below(middle) == 0 { low = middle } else { high = middle }
+        halve(&mut low, &mut high)?;
     }
     Some(f64::midpoint(low, high))
 }

@@ -19,11 +19,11 @@ pub use beam::ElementMatrix;
 pub use bending::Bending;
 pub use section::Section;
 pub use statics::Statics;
-pub use stations::{MOST_STATIONS, Stations};
+pub use stations::Stations;
 pub use supports::{Support, Supports};
 pub use totals::Totals;
 
-use crate::design::{Design, RotorDesign};
+use crate::design::{Design, MAX_STATIONS, RotorDesign};
 
 /// Motion of a station's six coordinates, in their order; y is along the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -43,12 +43,14 @@ impl Motion {
 /// Why a rotor cannot be built or solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RotorError {
-    #[error("nothing holds it {}", motions(.0))]
+    #[error("nothing holds it {}; {}", motions(.0), cure(.0))]
     Unsupported(Vec<Motion>),
-    #[error("{found} stations, at most {MOST_STATIONS} are allowed: use fewer elements")]
-    TooManyStations { found: usize },
-    #[error("position {position_mm} mm is off the shaft, which is {length_mm} mm long")]
+    #[error("more than {MAX_STATIONS} stations: use fewer elements")]
+    TooManyStations,
+    #[error("position {position_mm:?} mm is off the shaft, which is {length_mm:?} mm long")]
     OffShaft { position_mm: f64, length_mm: f64 },
+    #[error("the shaft is too short to have two stations")]
+    TooShort,
     #[error("there is no material \"{}\"", .0.escape_debug())]
     UnknownMaterial(String),
     #[error("a rigid bearing holds the mesh station")]
@@ -79,7 +81,18 @@ fn motions(motions: &[Motion]) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// A shaft that is held, and so can be solved.
+/// What a bearing needs for the first of the motions.
+fn cure(motions: &[Motion]) -> &'static str {
+    match motions.first() {
+        Some(Motion::X) => "give a bearing kx_n_per_m greater than 0, or let a rigid one hold \"x\"",
+        Some(Motion::Y) => "give a bearing ky_n_per_m greater than 0, or let a rigid one hold \"y\"",
+        Some(Motion::Z) => "give a bearing kz_n_per_m greater than 0, or let a rigid one hold \"z\"",
+        Some(Motion::ThX) => "add a second bearing with kz_n_per_m, or give one krx_n_m_per_rad",
+        _ => "add a second bearing with kx_n_per_m, or give one krz_n_m_per_rad",
+    }
+}
+
+/// A shaft that is held, with its statics and first bending modes.
 #[derive(Debug, Clone)]
 pub struct Rotor {
     pub stations: Stations,

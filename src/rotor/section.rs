@@ -26,11 +26,10 @@ pub struct Section {
     pub diametral_inertia: f64,
     /// rho J, kg m
     pub polar_inertia: f64,
-    /// E/rho, m^2/s^2: square of the bar wave speed
-    pub bar_speed_squared: f64,
 }
 
 impl Section {
+    /// Section of a segment made of the given material.
     pub fn new(segment: &Segment, material: &Material, theory: BeamTheory) -> Self {
         let (outer, inner) = (segment.outer_diameter, segment.inner_diameter);
         // factored, so that thin tubes keep their digits
@@ -53,7 +52,6 @@ impl Section {
             rotary_inertia,
             diametral_inertia: material.density * second_moment,
             polar_inertia: material.density * 2.0 * second_moment,
-            bar_speed_squared: material.youngs_modulus / material.density,
         }
     }
 }

@@ -1,12 +1,7 @@
 //! Where the nodes of a shaft stand, and what lies between and upon them.
 
 use super::{RotorError, Section};
-use crate::design::{Design, RotorDesign};
-
-/// Two positions closer than this (m) are one station.
-pub const SAME_STATION: f64 = 1e-9;
-/// Stations a shaft may have.
-pub const MOST_STATIONS: usize = 400;
+use crate::design::{Design, MAX_STATIONS, RotorDesign, SAME_STATION};
 
 /// The nodes of one shaft, in order, and the uniform pieces between neighbours.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,42 +21,31 @@ pub struct Stations {
 }
 
 impl Stations {
-    /// Stations at every segment end and inner element end, and at every body, bearing, the mesh and the drive.
+    /// Stations of [`RotorDesign::station_positions`], with the sections between them.
     ///
     /// # Errors
     ///
-    /// More than [`MOST_STATIONS`], a position off the shaft, or a material that the design does not have.
+    /// No shaft, more than [`MAX_STATIONS`], a position off the shaft, or a material that the design does not have.
     pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
-        let requested = rotor.segments.iter().fold(1_usize, |sum, segment| sum.saturating_add(segment.elements));
-        if requested > MOST_STATIONS {
-            return Err(RotorError::TooManyStations { found: requested });
+        let all =
+            rotor.station_positions().filter(|all| all.len() <= MAX_STATIONS).ok_or(RotorError::TooManyStations)?;
+        if all.len() < 2 {
+            return Err(RotorError::TooShort);
         }
-        let mut all = vec![0.0];
         let mut ends = Vec::with_capacity(rotor.segments.len());
-        let mut start = 0.0;
+        let mut length = 0.0;
         for segment in &rotor.segments {
-            let parts = segment.elements.max(1);
-            all.extend((1..parts).map(|i| start + segment.length * i as f64 / parts as f64));
-            start += segment.length;
-            all.push(start);
+            length += segment.length;
             let material = design.materials.get(&segment.material);
             let material = material.ok_or_else(|| RotorError::UnknownMaterial(segment.material.clone()))?;
-            ends.push((start, Section::new(segment, material, design.analysis.beam_theory)));
+            ends.push((length, Section::new(segment, material, design.analysis.beam_theory)));
         }
-        let length = start;
-        // a position may miss the end by the rounding of a sum of lengths
-        let placed = |position: f64| position.clamp(0.0, length);
-        let others = rotor.bodies.iter().map(|body| body.position);
-        let others = others.chain(rotor.bearings.iter().map(|bearing| bearing.position));
-        let others: Vec<f64> = others.chain([rotor.mesh_position, rotor.drive.position]).collect();
-        if let Some(&position) = others.iter().find(|p| !(-SAME_STATION..=length + SAME_STATION).contains(*p)) {
+        let bodies = rotor.bodies.iter().map(|body| body.position);
+        let bearings = rotor.bearings.iter().map(|bearing| bearing.position);
+        let mut others = bodies.chain(bearings).chain([rotor.mesh_position, rotor.drive.position]);
+        let on_shaft = -SAME_STATION..=length + SAME_STATION;
+        if let Some(position) = others.find(|position| !on_shaft.contains(position)) {
             return Err(RotorError::OffShaft { position_mm: position * 1e3, length_mm: length * 1e3 });
-        }
-        all.extend(others.iter().map(|&position| placed(position)));
-        all.sort_by(f64::total_cmp);
-        all.dedup_by(|next, kept| *next - *kept <= SAME_STATION);
-        if all.len() > MOST_STATIONS {
-            return Err(RotorError::TooManyStations { found: all.len() });
         }
         let section_at = |middle: f64| {
             let index = ends.partition_point(|(end, _)| *end <= middle);
@@ -69,7 +53,7 @@ impl Stations {
         };
         let sections = all.windows(2).map(|pair| section_at(f64::midpoint(pair[0], pair[1]))).collect();
         let station = |position: f64| {
-            let at = placed(position);
+            let at = position.clamp(0.0, length);
             let after = all.partition_point(|p| *p < at).min(all.len() - 1);
             let before = after.saturating_sub(1);
             if (at - all[before]).abs() < (all[after] - at).abs() { before } else { after }
@@ -84,6 +68,7 @@ impl Stations {
         })
     }
 
+    /// Number of stations.
     pub fn count(&self) -> usize {
         self.positions.len()
     }

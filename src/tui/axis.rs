@@ -1,6 +1,6 @@
 //! Axes: where a value lies, and where the round numbers are.
 
-use crate::report::grouped;
+use crate::number::grouped;
 
 /// The frequency axis.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -78,8 +78,8 @@ fn applies_in_editor(editing: &Editing, action: Action) -> bool {
         Action::AddRow => editing.view.shape != Shape::Single,
         Action::DuplicateRow => is_list && is_there,
         Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
-        Action::CancelSolve => editing.solving.pending.as_ref().is_some_and(|pending| !pending.is_fresh),
-        Action::Solve => editing.is_stale() && editing.design.is_some(),
+        Action::CancelSolve => editing.solving.pending.is_some(),
+        Action::Solve => editing.solving.pending.is_none() && editing.wants_solution(),
         Action::Findings => !editing.findings().is_empty(),
         Action::CycleCell => {
             editing.cell().is_some_and(|cell| matches!(cell.kind, CellKind::Choice(_) | CellKind::Model(_)))

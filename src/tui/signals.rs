@@ -32,7 +32,7 @@ pub fn watch(sender: Sender<Message>) -> io::Result<()> {
                 thread::sleep(PATIENCE);
             }
             if !told || terminal::is_taken() {
-                terminal::restore();
+                terminal::restore_in_passing();
                 end_by(number);
             }
         }

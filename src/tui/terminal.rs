@@ -6,9 +6,10 @@
 use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;
 use std::panic;
-use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Once, mpsc};
 use std::thread::{self, ThreadId};
+use std::time::Duration;
 
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
@@ -73,7 +74,9 @@ impl Session {
     ///
     /// The terminal cannot be written to.
     pub fn clear(&mut self) -> io::Result<()> {
-        self.terminal.clear()
+        // `Terminal::clear` would ask the terminal for the cursor: the answer goes to the thread that reads keys
+        let size = self.terminal.size()?;
+        self.terminal.resize(size.into())
     }
 
     /// Gives the terminal back to the shell until the program is continued.
@@ -87,7 +90,7 @@ impl Session {
             restore();
             signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
             take()?;
-            self.terminal.clear()?;
+            self.clear()?;
         }
         Ok(())
     }
@@ -109,10 +112,31 @@ fn take() -> io::Result<()> {
 /// Gives the terminal back, once. Errors are of no use here: the terminal may be what is gone.
 pub fn restore() {
     if TAKEN.swap(false, Ordering::SeqCst) {
-        drop(execute!(io::stdout(), EndSynchronizedUpdate, DisableBracketedPaste, Show, LeaveAlternateScreen));
-        drop(io::stdout().flush());
+        leave();
         drop(disable_raw_mode());
     }
+}
+
+/// As [`restore`], where the thread that draws may hang in a write: the echo comes back at once, and what has to be
+/// written gets a moment, no more.
+pub fn restore_in_passing() {
+    const MOMENT: Duration = Duration::from_millis(200);
+    if TAKEN.swap(false, Ordering::SeqCst) {
+        drop(disable_raw_mode());
+        let (sender, receiver) = mpsc::channel();
+        let work = move || {
+            leave();
+            let _ = sender.send(());
+        };
+        if thread::Builder::new().spawn(work).is_ok() {
+            let _ = receiver.recv_timeout(MOMENT);
+        }
+    }
+}
+
+fn leave() {
+    drop(execute!(io::stdout(), EndSynchronizedUpdate, DisableBracketedPaste, Show, LeaveAlternateScreen));
+    drop(io::stdout().flush());
 }
 
 /// Whether the terminal is taken over.

@@ -3,6 +3,7 @@
 use super::Checker;
 use crate::design::key_path::KeyPath;
 use crate::design::model::{Design, MeshVectors};
+use crate::number::significant;
 
 /// How far from 1 the length of a line of action may be.
 const UNIT_TOLERANCE: f64 = 1e-3;
@@ -43,9 +44,9 @@ fn torque_arms(design: &Design, pinion_teeth: f64, gear_teeth: f64, path: &KeyPa
     let (left, right) = (pinion * gear_teeth, gear * pinion_teeth);
     if (left - right).abs() > ARM_TOLERANCE * right {
         let message = format!(
-            "torque arms of {:.4} mm (pinion) and {:.4} mm (gear) contradict the tooth numbers {pinion_teeth} and {gear_teeth} by more than 1 %",
-            pinion * 1e3,
-            gear * 1e3
+            "torque arms of {} mm (pinion) and {} mm (gear) contradict the tooth numbers {pinion_teeth} and {gear_teeth} by more than 1 %",
+            significant(pinion * 1e3, 6),
+            significant(gear * 1e3, 6)
         );
         let hint = "the arms, |z n_x - x n_z| of each side, should be to each other as the tooth numbers";
         checker.warn(path, message, Some(hint));

@@ -7,8 +7,6 @@ mod rotor;
 mod stations;
 mod supports;
 
-pub use stations::MAX_STATIONS;
-
 use toml::de::DeTable;
 
 use super::finding::{Collector, Finding, Severity};

@@ -3,13 +3,11 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::{Checker, matrix, stations, supports};
+use crate::design::SAME_STATION;
 use crate::design::key_path::KeyPath;
 use crate::design::model::Material;
 use crate::design::read::{did_you_mean, listed};
 use crate::design::rotor::{BearingModel, RotorDesign, Segment};
-
-/// How far beyond the ends of the shaft a position may lie, m: less than what tells two stations apart.
-const POSITION_TOLERANCE: f64 = 1e-9;
 
 pub(super) fn check(
     rotor: &mut RotorDesign,
@@ -87,7 +85,7 @@ fn check_positions(rotor: &RotorDesign, path: &KeyPath, checker: &Checker<'_>) {
     let positions = bodies.chain(bearings).chain([(path.key("drive"), rotor.drive.position)]);
     let positions = positions.map(|(path, position)| (path.key("position_mm"), position));
     for (path, position) in positions.chain([(path.key("mesh_position_mm"), rotor.mesh_position)]) {
-        if position < -POSITION_TOLERANCE || position > length + POSITION_TOLERANCE {
+        if position < -SAME_STATION || position > length + SAME_STATION {
             let message =
                 format!("must lie on the shaft, from 0 to {} mm; it is {}", millimetres(length), millimetres(position));
             checker.error(&path, message, None);

@@ -1,11 +1,9 @@
 //! Combinations of bearings and axial springs that mean something.
 
 use super::Checker;
+use crate::design::SAME_STATION;
 use crate::design::key_path::KeyPath;
-use crate::design::rotor::{Bearing, BearingModel, RotorDesign};
-
-/// Positions closer than this are one station, m.
-const SAME_STATION: f64 = 1e-9;
+use crate::design::rotor::{Bearing, BearingModel, DiagonalBearing, RotorDesign};
 
 /// How a bearing carries the shaft along its axis.
 #[derive(PartialEq)]
@@ -50,6 +48,8 @@ fn check_bearing(rotor: &RotorDesign, bearing: &Bearing, path: &KeyPath, checker
                 let message = "a bearing that holds y rigidly cannot have a spring in series";
                 checker.error(&path, message, Some("leave out \"y\" in hold, or this key"));
             }
+            // a model that could not be read stands in as no stiffness at all: that has its own finding
+            Axial::Free if bearing.model == BearingModel::Diagonal(DiagonalBearing::default()) => {}
             Axial::Free => checker.warn(&path, "has no effect: the bearing has no axial stiffness", None),
         }
     }

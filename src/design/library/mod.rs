@@ -10,6 +10,7 @@ pub use trash::{TRASH, Trashed, delete, restore, trashed};
 pub use tree::{Branch, tree};
 pub use variant::{About, VariantError, duplicate, follow_parent, rename, save_variant};
 
+use std::collections::HashSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -55,9 +56,11 @@ pub enum LibraryError {
 }
 
 /// The design files of folders and of files named one by one, in the order given; those of a folder by file name. Folders
-/// below are not searched, hidden files are left out. A folder that cannot be read stands for itself.
+/// below are not searched, hidden files are left out; a file that is named twice is there once. A folder that cannot be read stands for itself.
 pub fn files(paths: &[PathBuf]) -> Vec<PathBuf> {
-    paths.iter().flat_map(|path| folder_files(path).unwrap_or_else(|| vec![path.clone()])).collect()
+    let mut seen = HashSet::new();
+    let files = paths.iter().flat_map(|path| folder_files(path).unwrap_or_else(|| vec![path.clone()]));
+    files.filter(|file| seen.insert(file.clone())).collect()
 }
 
 fn folder_files(folder: &Path) -> Option<Vec<PathBuf>> {

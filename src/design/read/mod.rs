@@ -4,6 +4,7 @@ mod bearing;
 mod locate;
 mod nearest;
 mod scalar;
+mod slips;
 mod table;
 mod written;
 
@@ -80,7 +81,15 @@ fn report_syntax(text: &str, errors: &[toml::de::Error], findings: &Collector) {
         let end_of_line = text.as_bytes()[start..].iter().position(|byte| *byte == b'\n').map(|line| start + line);
         if last_end_of_line != Some(end_of_line) {
             last_end_of_line = Some(end_of_line);
-            findings.error(&KeyPath::root(), span, format!("not TOML: {}", error.message()), None);
+            let before = text.get(..start).unwrap_or_default();
+            let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+            let line = text.get(line_start..end_of_line.unwrap_or(text.len())).unwrap_or_default();
+            findings.error(
+                &KeyPath::root(),
+                span,
+                format!("not TOML: {}", error.message()),
+                slips::hint(line).map(Into::into),
+            );
         }
         if findings.is_full() {
             return;

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::cursor::Cursor;
 use super::form::Form;
-use super::line::Line;
 use super::solving::{Ghost, Solving, same_mechanics};
+use super::typing::{Choice, Entry, Input};
 use super::view::{Place, Tab, View};
-use crate::design::grid::{Cell, CellKind, Shape, Shown};
-use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, KeyPath, Side, Towards};
+use crate::design::grid::{Cell, Shown};
+use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, KeyPath, Side};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
@@ -27,7 +28,7 @@ pub struct Editing {
     pub last_design: Option<Arc<Design>>,
     pub tab: Tab,
     pub side: Side,
-    cursors: [[Cursor; 2]; 8],
+    pub(super) cursors: [[Cursor; 2]; 8],
     pub view: View,
     pub input: Option<Input>,
     pub layer: Option<Layer>,
@@ -40,41 +41,6 @@ pub struct Editing {
     undone: Vec<KeyPath>,
 }
 
-/// Where one is in a table, and what of it is in sight.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Cursor {
-    pub row: usize,
-    pub column: usize,
-    /// The first line and the first column in sight, known after the first frame
-    pub top: usize,
-    pub left: usize,
-    /// Rows in sight
-    pub height: usize,
-}
-
-/// A value while it is typed.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Input {
-    pub target: Target,
-    pub line: Line,
-    before: String,
-    /// Why it was not taken.
-    pub error: Option<String>,
-}
-
-/// What is typed into.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Target {
-    /// The cell under the cursor
-    Cell,
-    /// The entry of the matrix under the cursor
-    Entry,
-    /// The name of the material under the cursor
-    MaterialName,
-    /// The name of a material that is not there yet
-    NewMaterial,
-}
-
 /// What lies over the table and takes the keys.
 #[derive(Debug)]
 pub enum Layer {
@@ -82,22 +48,6 @@ pub enum Layer {
     Matrix(Entry),
     Findings(List),
     Form(Form),
-}
-
-/// The entry of a matrix that the cursor is on.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Entry {
-    pub row: usize,
-    pub column: usize,
-}
-
-/// The words that a cell may hold.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Choice {
-    pub words: Vec<&'static str>,
-    /// Those that are ticked, where there may be several
-    pub ticked: Option<Vec<bool>>,
-    pub cursor: usize,
 }
 
 /// A list with a cursor.
@@ -219,72 +169,6 @@ impl Editing {
         self.hold_cursor();
     }
 
-    /// Keeps the cursor on a place that there is.
-    fn hold_cursor(&mut self) {
-        let Cursor { row, column, .. } = self.cursor();
-        let row = row.min(self.view.rows.len().saturating_sub(1));
-        let places = self.view.rows.get(row).map_or(0, |row| row.places.len());
-        let free = (0..places).filter(|&at| self.view.place(row, at).is_some());
-        let column = free.min_by_key(|&at| at.abs_diff(column)).unwrap_or(0);
-        let cursor = self.cursor_mut();
-        (cursor.row, cursor.column) = (row, column);
-    }
-
-    pub fn move_rows(&mut self, by: isize) {
-        let last = self.view.rows.len().saturating_sub(1);
-        let cursor = self.cursor_mut();
-        cursor.row = cursor.row.saturating_add_signed(by).min(last);
-        self.hold_cursor();
-    }
-
-    /// A page; one row stays in sight.
-    pub fn page(&self) -> isize {
-        self.cursor().height.saturating_sub(1).max(1).cast_signed()
-    }
-
-    /// To the next place of the row that the row has, if there is one.
-    pub fn move_columns(&mut self, by: isize) -> bool {
-        let Cursor { row, column, .. } = self.cursor();
-        let places = self.view.rows.get(row).map_or(0, |row| row.places.len());
-        let is_there = |at: &usize| self.view.place(row, *at).is_some();
-        let next =
-            if by < 0 { (0..column.min(places)).rev().find(is_there) } else { (column + 1..places).find(is_there) };
-        if let Some(next) = next {
-            self.cursor_mut().column = next;
-        }
-        next.is_some()
-    }
-
-    pub fn move_to_end(&mut self, last: bool) {
-        self.cursor_mut().column = if last { usize::MAX } else { 0 };
-        self.hold_cursor();
-    }
-
-    /// To the next cell; after the last of a row to the first of the next row.
-    pub fn next_cell(&mut self, by: isize) {
-        if self.move_columns(by) {
-            return;
-        }
-        let row = self.cursor().row;
-        self.move_rows(by);
-        if self.cursor().row != row {
-            self.move_to_end(by < 0);
-        }
-    }
-
-    /// Shows the value or the row of a key path with the cursor on it.
-    pub fn go_to(&mut self, path: &KeyPath) {
-        let (tab, side) = Tab::of(path);
-        self.layer = None;
-        self.show(tab, side.unwrap_or(self.side));
-        if let Some((row, column)) = self.view.find(path) {
-            let cursor = self.cursor_mut();
-            cursor.row = row;
-            cursor.column = column.unwrap_or(cursor.column);
-        }
-        self.hold_cursor();
-    }
-
     pub fn say(&mut self, text: impl Into<String>) {
         self.notice = Some(Notice { is_error: false, text: text.into() });
     }
@@ -294,7 +178,7 @@ impl Editing {
     }
 
     /// Makes an edit. Where the cursor goes is left to the caller.
-    fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
+    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
         let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
         if applied.changed {
             self.done.push(applied.focus.clone());
@@ -305,7 +189,7 @@ impl Editing {
     }
 
     /// Makes an edit and says why it cannot be made.
-    fn make(&mut self, edit: &Edit) -> Option<Applied> {
+    pub(super) fn make(&mut self, edit: &Edit) -> Option<Applied> {
         self.apply(edit).map_err(|error| self.warn(error)).ok()
     }
 
@@ -343,207 +227,6 @@ impl Editing {
     fn on_matrix(&self) -> bool {
         let cursor = self.cursor();
         self.view.place(cursor.row, cursor.column) == Some(Place::Matrix)
-    }
-
-    /// Opens what the cell under the cursor is edited with; `replace` drops its value.
-    pub fn edit_cell(&mut self, replace: bool) {
-        let cursor = self.cursor();
-        if matches!(self.layer, Some(Layer::Matrix(_))) {
-            if let Some(cell) = self.entry() {
-                self.input = Some(Input::new(Target::Entry, cell.shown.text(), replace));
-            }
-            return;
-        }
-        match self.view.place(cursor.row, cursor.column) {
-            Some(Place::Matrix) => self.layer = Some(Layer::Matrix(Entry::default())),
-            Some(Place::Name) => {
-                let name = self.view.row(cursor.row).map_or("", |row| &row.label).to_owned();
-                self.input = Some(Input::new(Target::MaterialName, &name, replace));
-            }
-            Some(Place::Cell(_)) => {
-                let Some(cell) = self.cell() else { return };
-                match cell.kind {
-                    CellKind::Choice(_) | CellKind::Model(_) => {
-                        self.layer = Some(Layer::Choice(Choice::one(cell.kind.words(), cell.shown.text())));
-                    }
-                    CellKind::Flags(_) => {
-                        self.layer = Some(Layer::Choice(Choice::several(cell.kind.words(), cell.shown.text())));
-                    }
-                    _ => self.input = Some(Input::new(Target::Cell, cell.shown.text(), replace)),
-                }
-            }
-            None => self.say(if self.view.rows.is_empty() { "no row: a adds one" } else { "nothing to edit here" }),
-        }
-    }
-
-    /// Begins to type in place of the value, if it is a number.
-    pub fn type_number(&mut self, letter: char) {
-        let is_number = self.target().is_some_and(|cell| {
-            matches!(
-                cell.kind,
-                CellKind::Number(..) | CellKind::Whole(..) | CellKind::VectorEntry(_) | CellKind::MatrixEntry(..)
-            )
-        });
-        if is_number {
-            self.edit_cell(true);
-            if let Some(input) = &mut self.input {
-                input.line.insert(letter.encode_utf8(&mut [0; 4]));
-            }
-        }
-    }
-
-    /// The next word of a cell that may hold one of several; the list of one that may hold many.
-    pub fn cycle_cell(&mut self) {
-        let Some(cell) = self.cell() else { return };
-        match cell.kind {
-            CellKind::Choice(_) | CellKind::Model(_) => {
-                let words = cell.kind.words();
-                let at = words.iter().position(|word| *word == cell.shown.text()).map_or(0, |at| at + 1);
-                if let Some(word) = words.get(at % words.len().max(1)).copied() {
-                    self.write(word);
-                }
-            }
-            CellKind::Flags(_) => self.edit_cell(false),
-            _ => self.say("this cell is typed into: Enter"),
-        }
-    }
-
-    /// Takes what is chosen in the list.
-    pub fn choose(&mut self) {
-        let Some(Layer::Choice(choice)) = self.layer.take() else { return };
-        let text = choice.text();
-        if !text.is_empty() {
-            self.write(&text);
-        } else if self.cell().is_some_and(|cell| cell.required) {
-            self.layer = Some(Layer::Choice(choice));
-            self.warn("at least one is wanted: Space ticks");
-        } else {
-            self.clear_cell();
-        }
-    }
-
-    fn write(&mut self, text: &str) {
-        let edit = self.cell().map(|cell| Edit::from_typed(cell, text));
-        match edit {
-            Some(Ok(edit)) => drop(self.make(&edit)),
-            Some(Err(error)) => self.warn(error),
-            None => {}
-        }
-    }
-
-    pub fn clear_cell(&mut self) {
-        let Some(cell) = self.target() else { return };
-        if cell.required && !matches!(cell.kind, CellKind::MatrixEntry(..)) {
-            return self.warn(format!("{} must be there", printable(&cell.column.label)));
-        }
-        let typed = if matches!(cell.kind, CellKind::MatrixEntry(..)) { "0.0" } else { "" };
-        if !cell.shown.is_written() {
-            return self.say("not written: the default holds");
-        }
-        match Edit::from_typed(cell, typed) {
-            Ok(edit) => drop(self.make(&edit)),
-            Err(error) => self.warn(error),
-        }
-    }
-
-    /// Takes what was typed. False keeps the input open, with the reason.
-    pub fn accept(&mut self) -> bool {
-        let Some(mut input) = self.input.take() else { return true };
-        if input.line.text() == input.before && input.target != Target::NewMaterial {
-            return true;
-        }
-        let result = self.edit_of(&input).and_then(|edit| self.apply(&edit));
-        match result {
-            Ok(applied) => {
-                if input.target == Target::NewMaterial {
-                    self.go_to(&applied.focus);
-                    self.move_to_end(false);
-                } else if input.target == Target::MaterialName
-                    && let Some((row, _)) = self.view.find(&applied.focus)
-                {
-                    self.cursor_mut().row = row;
-                    self.hold_cursor();
-                }
-                true
-            }
-            Err(error) => {
-                input.error = Some(error);
-                self.input = Some(input);
-                false
-            }
-        }
-    }
-
-    fn edit_of(&self, input: &Input) -> Result<Edit, String> {
-        let typed = input.line.text();
-        let name = typed.trim();
-        let free_name = || match name {
-            "" => Err("a name is wanted".to_owned()),
-            _ => Ok(name.to_owned()),
-        };
-        match input.target {
-            Target::Cell | Target::Entry => {
-                let cell = self.target().ok_or("nothing to edit here")?;
-                Edit::from_typed(cell, typed)
-            }
-            Target::MaterialName => {
-                let from = self.view.row(self.cursor().row).map(|row| row.label.clone()).unwrap_or_default();
-                Ok(Edit::RenameMaterial { from, to: free_name()? })
-            }
-            Target::NewMaterial => Ok(Edit::AddMaterial { name: free_name()? }),
-        }
-    }
-
-    /// Adds a row beside the cursor.
-    pub fn add_row(&mut self, after: bool) {
-        let row = self.cursor().row;
-        let Some(sheet) = self.view.sheet(row) else { return };
-        match sheet.shape {
-            Shape::List { .. } => {
-                let place = if self.view.rows.is_empty() { 0 } else { row + usize::from(after) };
-                let edit = Edit::InsertRow { list: sheet.path.clone(), place };
-                if let Some(applied) = self.make(&edit) {
-                    self.go_to(&applied.focus);
-                    self.say(format!("added: {}", applied.name));
-                }
-            }
-            Shape::Named => self.input = Some(Input::new(Target::NewMaterial, "", true)),
-            Shape::Single => self.say("this table has no rows to add"),
-        }
-    }
-
-    /// Does something to the row under the cursor.
-    fn edit_row(&mut self, said: &str, edit: impl FnOnce(KeyPath) -> Edit) {
-        let row = self.cursor().row;
-        let is_list = matches!(self.view.shape, Shape::List { .. });
-        let Some(path) = self.view.row(row).filter(|_| is_list).map(|row| row.path.clone()) else {
-            return self.say("no row of a list");
-        };
-        if let Some(applied) = self.make(&edit(path)).filter(|applied| applied.changed) {
-            let column = self.cursor().column;
-            self.go_to(&applied.focus);
-            self.cursor_mut().column = column;
-            self.hold_cursor();
-            self.say(format!("{said}: {}", applied.name));
-        }
-    }
-
-    pub fn duplicate_row(&mut self) {
-        self.edit_row("duplicated", |row| Edit::DuplicateRow { row });
-    }
-
-    pub fn delete_row(&mut self) {
-        if self.view.shape != Shape::Named {
-            return self.edit_row("deleted", |row| Edit::DeleteRow { row });
-        }
-        let Some(name) = self.view.row(self.cursor().row).map(|row| row.label.clone()) else { return };
-        if let Some(applied) = self.make(&Edit::RemoveMaterial { name }) {
-            self.say(format!("deleted: {}", applied.name));
-        }
-    }
-
-    pub fn move_row(&mut self, towards: Towards) {
-        self.edit_row("moved", |row| Edit::MoveRow { row, towards });
     }
 
     /// Takes over that a text is in the file now.
@@ -603,67 +286,6 @@ impl Editing {
 
     pub fn is_stale(&self) -> bool {
         self.solving.is_stale(self.design.as_deref())
-    }
-}
-
-impl Input {
-    pub(super) fn new(target: Target, text: &str, replace: bool) -> Self {
-        let line = Line::new(if replace { "" } else { text });
-        // an empty text that was asked for is typed, not left as it was
-        let before = if replace { "\u{0}".into() } else { text.to_owned() };
-        Self { target, line, before, error: None }
-    }
-}
-
-impl Choice {
-    fn one(words: Vec<&'static str>, now: &str) -> Self {
-        let cursor = words.iter().position(|word| *word == now).unwrap_or(0);
-        Self { words, ticked: None, cursor }
-    }
-
-    fn several(words: Vec<&'static str>, now: &str) -> Self {
-        let ticked = words.iter().map(|word| now.split(',').any(|part| part.trim() == *word)).collect();
-        Self { words, ticked: Some(ticked), cursor: 0 }
-    }
-
-    pub fn move_by(&mut self, by: isize) {
-        self.cursor = self.cursor.saturating_add_signed(by).min(self.words.len().saturating_sub(1));
-    }
-
-    /// Ticks the word under the cursor, or not; where one is taken only, goes to the next.
-    pub fn tick(&mut self) {
-        match &mut self.ticked {
-            Some(ticked) => {
-                if let Some(tick) = ticked.get_mut(self.cursor) {
-                    *tick = !*tick;
-                }
-            }
-            None => self.cursor = (self.cursor + 1) % self.words.len().max(1),
-        }
-    }
-
-    /// What is taken, as it is typed.
-    fn text(&self) -> String {
-        match &self.ticked {
-            Some(ticked) => {
-                let words = self.words.iter().zip(ticked).filter(|(_, ticked)| **ticked).map(|(word, _)| *word);
-                words.collect::<Vec<_>>().join(", ")
-            }
-            None => self.words.get(self.cursor).map_or(String::new(), |word| (*word).to_owned()),
-        }
-    }
-}
-
-impl Entry {
-    pub fn move_by(&mut self, rows: isize, columns: isize) {
-        self.row = self.row.saturating_add_signed(rows).min(5);
-        self.column = self.column.saturating_add_signed(columns).min(5);
-    }
-
-    /// To the next entry, row by row.
-    pub fn next(&mut self, by: isize) {
-        let at = (self.row * 6 + self.column).saturating_add_signed(by).min(35);
-        (self.row, self.column) = (at / 6, at % 6);
     }
 }
 

@@ -8,19 +8,26 @@
 //! One [`Editing`] a design, kept while the program runs. What the keys go to follows from its state
 //! ([`Editing::mode`]): a cell that is typed into, a layer over the table, or the table.
 
+mod cursor;
 mod editing;
 mod form;
+mod keys;
 mod line;
+mod rows;
+mod saving;
 mod solving;
+mod typing;
 mod update;
 mod view;
 
 use std::path::{Path, PathBuf};
 
-pub use editing::{Choice, Cursor, Editing, Entry, Input, Layer, List, Notice, Target, shown_text};
+pub use cursor::Cursor;
+pub use editing::{Editing, Layer, List, Notice, shown_text};
 pub use form::Form;
 pub use line::Line;
 pub use solving::{Ghost, Pending, Solution, Solving, same_mechanics};
+pub use typing::{Choice, Entry, Input, Target};
 pub use view::{Place, Tab, View, ViewColumn, ViewRow};
 
 /// The designs that are being edited.

@@ -3,14 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Editing, Form, Layer, Line, List, Pending, Solution, Tab};
-use crate::design::{KeyPath, Side, Towards};
-use crate::text::printable;
+use super::keys::{act_on_choice, act_on_findings, act_on_form, act_on_input, act_on_matrix, act_on_table, line};
+use super::{Editing, Pending, Solution};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome, Picture};
-use crate::tui::backend::NotSaved;
 use crate::tui::keymap::Mode;
-use crate::tui::message::{Effect, Ending};
+use crate::tui::message::Effect;
 use crate::tui::worker::{EditedJob, FileJob, Solved, Ticket};
 
 impl App {
@@ -21,6 +19,7 @@ impl App {
         if known.is_some_and(|editing| editing.is_modified() || editing.is_saving) {
             return self.show_editor(path);
         }
+        self.notice = None;
         self.editors.opening = Some(path.clone());
         vec![Effect::File(FileJob::Open { path })]
     }
@@ -199,7 +198,7 @@ impl App {
     }
 
     /// The text may have changed.
-    fn after_edit(&mut self) -> Vec<Effect> {
+    pub(super) fn after_edit(&mut self) -> Vec<Effect> {
         self.follow_editor();
         let Some(editing) = self.editors.open() else { return Vec::new() };
         let is_typed = editing.input.is_some();
@@ -243,341 +242,8 @@ impl App {
         }
         self.solve_if_live()
     }
-
-    /// Saves one design, or the one in sight.
-    fn save(&mut self, path: Option<&Path>) -> Vec<Effect> {
-        let editing = match path {
-            Some(path) => self.editors.get_mut(path),
-            None => self.editors.open_mut(),
-        };
-        let Some(editing) = editing else { return Vec::new() };
-        if !editing.is_modified() {
-            editing.say("nothing to save");
-            return Vec::new();
-        }
-        if editing.is_saving {
-            return Vec::new();
-        }
-        editing.is_saving = true;
-        let (path, expected) = (editing.path.clone(), editing.saved_text().to_owned());
-        vec![Effect::File(FileJob::Save { path, expected, text: editing.editor.text().to_owned() })]
-    }
-
-    pub(in crate::tui) fn saved(&mut self, path: &Path, text: String, result: Result<(), NotSaved>) -> Vec<Effect> {
-        let Some(editing) = self.editors.get_mut(path) else { return Vec::new() };
-        editing.is_saving = false;
-        let name = file_name(path);
-        match result {
-            Ok(()) => {
-                editing.saved(text);
-                let errors = editing.editor.reading().errors().count();
-                match errors {
-                    0 => editing.say(format!("saved {name}")),
-                    _ => editing.say(format!("saved {name}, with {errors} {}", plural(errors, "error"))),
-                }
-                let unsaved = editing.is_modified();
-                if let Some(row) = self.library.row_mut(path) {
-                    (row.unsaved, row.stale) = (unsaved, true);
-                }
-            }
-            Err(error) => {
-                editing.warn(match &error {
-                    NotSaved::Changed => "not saved, changed on disk: S saves it as a variant".into(),
-                    NotSaved::Failed(error) => format!("not saved: {error}"),
-                });
-                if self.editors.open().is_none_or(|editing| editing.path != path) {
-                    self.complain(format!("{name} not saved: {error}"));
-                }
-                self.editors.is_leaving = false;
-                return Vec::new();
-            }
-        }
-        if self.editors.is_leaving {
-            if self.editors.unsaved().next().is_none() {
-                return vec![Effect::Quit(Ending::Quit)];
-            }
-            return Vec::new();
-        }
-        self.fill().into_iter().collect()
-    }
-
-    fn save_form(&mut self) -> Vec<Effect> {
-        let Some(editing) = self.editors.open_mut() else { return Vec::new() };
-        let (original, text) = (editing.path.clone(), editing.editor.text().to_owned());
-        let Some(Layer::Form(form)) = &mut editing.layer else { return Vec::new() };
-        match form.checked_name() {
-            Ok(name) => {
-                let note = Some(form.note.text().trim()).filter(|note| !note.is_empty()).map(str::to_owned);
-                editing.is_saving = true;
-                vec![Effect::File(FileJob::SaveVariant { original, name, text, note })]
-            }
-            Err(error) => {
-                form.error = Some(error);
-                form.on_note = false;
-                Vec::new()
-            }
-        }
-    }
-
-    pub(in crate::tui) fn variant_saved(
-        &mut self,
-        original: &Path,
-        result: Result<(PathBuf, String), String>,
-    ) -> Vec<Effect> {
-        let Some(editing) = self.editors.get_mut(original) else { return Vec::new() };
-        editing.is_saving = false;
-        match result {
-            Ok((path, text)) => {
-                let name = file_name(&path);
-                editing.become_variant(path.clone(), text);
-                editing.say(format!("saved {name}, a variant of {}", file_name(original)));
-                if let Some(row) = self.library.row_mut(original) {
-                    row.unsaved = false;
-                }
-                let was_open = self.editors.open.as_deref() == Some(original);
-                self.library.add(path.clone());
-                if was_open {
-                    self.editors.open = Some(path.clone());
-                    self.library.select(&path);
-                }
-                let mut effects = self.follow_selection();
-                effects.push(Effect::List);
-                effects.extend(self.fill());
-                effects.extend(self.after_edit());
-                effects
-            }
-            Err(error) => {
-                match &mut editing.layer {
-                    Some(Layer::Form(form)) => form.error = Some(error),
-                    _ => editing.warn(format!("no variant: {error}")),
-                }
-                Vec::new()
-            }
-        }
-    }
-
-    /// Ends the program, or asks what to do with edits that are not saved.
-    pub(in crate::tui) fn quit(&mut self) -> Vec<Effect> {
-        if self.editors.unsaved().next().is_none() {
-            return vec![Effect::Quit(Ending::Quit)];
-        }
-        if self.mode != Mode::Leave {
-            while !self.below.is_empty() {
-                self.close();
-            }
-            self.open(Mode::Leave);
-        }
-        Vec::new()
-    }
-
-    /// Saves everything and ends the program then.
-    pub(in crate::tui) fn save_all(&mut self) -> Vec<Effect> {
-        self.stay();
-        self.editors.is_leaving = true;
-        let paths: Vec<PathBuf> = self.editors.unsaved().map(|editing| editing.path.clone()).collect();
-        paths.iter().flat_map(|path| self.save(Some(path))).collect()
-    }
-
-    /// Closes the question.
-    pub(in crate::tui) fn stay(&mut self) {
-        self.editors.is_leaving = false;
-        if self.mode == Mode::Leave {
-            self.close();
-        }
-    }
 }
 
-fn act_on_table(editing: &mut Editing, action: Action) {
-    let tab = |tab: Tab, editing: &mut Editing| editing.show(tab, editing.side);
-    match action {
-        Action::MoveUp => editing.move_rows(-1),
-        Action::MoveDown => editing.move_rows(1),
-        Action::PageUp => editing.move_rows(-editing.page()),
-        Action::PageDown => editing.move_rows(editing.page()),
-        Action::First => editing.move_rows(isize::MIN),
-        Action::Last => editing.move_rows(isize::MAX),
-        Action::MoveLeft => drop(editing.move_columns(-1)),
-        Action::MoveRight => drop(editing.move_columns(1)),
-        Action::FirstCell => editing.move_to_end(false),
-        Action::LastCell => editing.move_to_end(true),
-        Action::NextCell => editing.next_cell(1),
-        Action::PreviousCell => editing.next_cell(-1),
-        Action::OtherShaft => other_shaft(editing),
-        Action::NextTable => next_tab(editing, 1),
-        Action::PreviousTable => next_tab(editing, Tab::ALL.len() - 1),
-        Action::Segments => tab(Tab::Segments, editing),
-        Action::Bearings => tab(Tab::Bearings, editing),
-        Action::Bodies => tab(Tab::Bodies, editing),
-        Action::Mesh => tab(Tab::Mesh, editing),
-        Action::Drives => tab(Tab::Drives, editing),
-        Action::Analysis => tab(Tab::Analysis, editing),
-        Action::Materials => tab(Tab::Materials, editing),
-        Action::Design => tab(Tab::Design, editing),
-        Action::EditCell => editing.edit_cell(false),
-        Action::ReplaceCell => editing.edit_cell(true),
-        Action::CycleCell => editing.cycle_cell(),
-        Action::ClearCell => editing.clear_cell(),
-        Action::AddRow => editing.add_row(true),
-        Action::InsertRow => editing.add_row(false),
-        Action::DuplicateRow => editing.duplicate_row(),
-        Action::DeleteRow => editing.delete_row(),
-        Action::MoveRowUp => editing.move_row(Towards::Start),
-        Action::MoveRowDown => editing.move_row(Towards::End),
-        Action::Undo => editing.undo(),
-        Action::Redo => editing.redo(),
-        Action::Findings => editing.layer = Some(Layer::Findings(List::default())),
-        Action::SaveVariant => {
-            let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
-            editing.layer = Some(Layer::Form(Form::new(format!("{stem}-variant"))));
-        }
-        _ => {}
-    }
-}
-
-fn other_shaft(editing: &mut Editing) {
-    if !editing.tab.has_sides() {
-        return editing.say("this table belongs to both shafts");
-    }
-    let cursor = editing.cursor();
-    let other = if editing.side == Side::Pinion { Side::Gear } else { Side::Pinion };
-    editing.show(editing.tab, other);
-    // the same value of the other shaft, where the tables are alike
-    if editing.view.is_turned() {
-        *editing.cursor_mut() = cursor;
-        editing.show(editing.tab, other);
-    }
-}
-
-fn next_tab(editing: &mut Editing, by: usize) {
-    let at = (editing.tab as usize + by) % Tab::ALL.len();
-    editing.show(Tab::ALL[at], editing.side);
-}
-
-fn act_on_matrix(editing: &mut Editing, action: Action) {
-    match action {
-        Action::EditCell => return editing.edit_cell(false),
-        Action::ReplaceCell => return editing.edit_cell(true),
-        Action::ClearCell => return editing.clear_cell(),
-        Action::Undo => return editing.undo(),
-        Action::Redo => return editing.redo(),
-        _ => {}
-    }
-    let Some(Layer::Matrix(entry)) = &mut editing.layer else { return };
-    match action {
-        Action::MoveUp => entry.move_by(-1, 0),
-        Action::MoveDown => entry.move_by(1, 0),
-        Action::First | Action::PageUp => entry.move_by(-6, 0),
-        Action::Last | Action::PageDown => entry.move_by(6, 0),
-        Action::MoveLeft => entry.move_by(0, -1),
-        Action::MoveRight => entry.move_by(0, 1),
-        Action::FirstCell => entry.move_by(0, -6),
-        Action::LastCell => entry.move_by(0, 6),
-        Action::NextCell => entry.next(1),
-        Action::PreviousCell => entry.next(-1),
-        _ => {}
-    }
-}
-
-fn act_on_choice(editing: &mut Editing, action: Action) {
-    if action == Action::Choose {
-        return editing.choose();
-    }
-    let Some(Layer::Choice(choice)) = &mut editing.layer else { return };
-    match action {
-        Action::MoveUp => choice.move_by(-1),
-        Action::MoveDown => choice.move_by(1),
-        Action::First | Action::PageUp => choice.move_by(isize::MIN),
-        Action::Last | Action::PageDown => choice.move_by(isize::MAX),
-        Action::Tick => choice.tick(),
-        _ => {}
-    }
-}
-
-fn act_on_findings(editing: &mut Editing, action: Action) {
-    let count = editing.findings().len();
-    let Some(Layer::Findings(list)) = &mut editing.layer else { return };
-    let page = list.scroll.page();
-    let by = match action {
-        Action::MoveUp => -1,
-        Action::MoveDown => 1,
-        Action::PageUp => -page,
-        Action::PageDown => page,
-        Action::First => isize::MIN,
-        Action::Last => isize::MAX,
-        Action::GoToFinding => {
-            let cursor = list.cursor;
-            let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
-            match path.as_deref().map(str::parse::<KeyPath>) {
-                Some(Ok(path)) => editing.go_to(&path),
-                Some(Err(_)) => editing.say("this one is about the whole file"),
-                None => editing.layer = None,
-            }
-            return;
-        }
-        _ => return,
-    };
-    list.cursor = list.cursor.saturating_add_signed(by).min(count.saturating_sub(1));
-}
-
-/// The line that is typed into.
-fn line(editing: &mut Editing) -> Option<&mut Line> {
-    if let Some(input) = &mut editing.input {
-        input.error = None;
-        return Some(&mut input.line);
-    }
-    match &mut editing.layer {
-        Some(Layer::Form(form)) => Some(form.line()),
-        _ => None,
-    }
-}
-
-fn act_on_line(editing: &mut Editing, action: Action) {
-    let Some(line) = line(editing) else { return };
-    match action {
-        Action::TextLeft => line.left(),
-        Action::TextRight => line.right(),
-        Action::TextStart => line.home(),
-        Action::TextEnd => line.end(),
-        Action::DeleteCharacter => line.backspace(),
-        Action::DeleteForward => line.delete(),
-        Action::DeleteWord => line.delete_word(),
-        Action::ClearText => line.delete_to_start(),
-        _ => {}
-    }
-}
-
-fn act_on_form(editing: &mut Editing, action: Action) {
-    match &mut editing.layer {
-        Some(Layer::Form(form)) if action == Action::NextField => form.on_note = !form.on_note,
-        _ => act_on_line(editing, action),
-    }
-}
-
-fn act_on_input(editing: &mut Editing, action: Action) {
-    let is_new = editing.input.as_ref().is_some_and(|input| input.target == super::Target::NewMaterial);
-    let in_matrix = matches!(editing.layer, Some(Layer::Matrix(_)));
-    let by = match action {
-        Action::AcceptCell => 0,
-        Action::AcceptNext => 1,
-        Action::AcceptPrevious => -1,
-        _ => return act_on_line(editing, action),
-    };
-    if !editing.accept() || is_new {
-        return;
-    }
-    match (&mut editing.layer, by) {
-        (Some(Layer::Matrix(entry)), 0) if in_matrix => entry.move_by(1, 0),
-        (Some(Layer::Matrix(entry)), _) if in_matrix => entry.next(by),
-        (_, 0) => editing.move_rows(1),
-        (_, _) => editing.next_cell(by),
-    }
-}
-
-/// The file's name, harmless to show.
-fn file_name(path: &Path) -> String {
-    printable(&path.file_name().unwrap_or_default().to_string_lossy()).into_owned()
-}
-
-fn plural(count: usize, word: &str) -> String {
+pub(super) fn plural(count: usize, word: &str) -> String {
     if count == 1 { word.to_owned() } else { format!("{word}s") }
 }

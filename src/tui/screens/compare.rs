@@ -22,7 +22,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::agreement::Agreement;
 use crate::design::Difference;
-use crate::report::grouped;
+use crate::number::grouped;
 use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::compare::{CompareView, Compared};

@@ -22,7 +22,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::design::grid::{Cell, CellKind, Shown};
 use crate::design::{Side, Totals};
-use crate::report::grouped;
+use crate::number::grouped;
 use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Layer, Place, Tab, Target};
@@ -238,6 +238,7 @@ fn state(editing: &Editing, live: bool) -> String {
         None if errors == 1 => format!("{stale}not solved: 1 error"),
         None => format!("{stale}not solved: {errors} errors"),
         Some(design) if editing.solving.failure(design).is_some() => format!("{stale}cannot be solved"),
+        Some(_) if editing.solving.current.is_none() => "not solved".into(),
         Some(_) if editing.is_stale() && live => "stale: = solves".into(),
         Some(_) if editing.is_stale() => "stale, live off: = solves".into(),
         Some(_) => String::new(),
@@ -250,13 +251,9 @@ fn render_spectra(editing: &mut Editing, live: bool, theme: &Theme, area: Rect, 
     let modified = editing.is_modified();
     let Some(solution) = &mut editing.solving.current else {
         let title = if state.is_empty() { "Spectra" } else { &state };
-        let text = why.unwrap_or_else(|| format!("Solving the three models{}", theme.glyphs.ellipsis));
-        let text =
-            if !live && editing.solving.pending.is_none() && editing.design.is_some() && !state.contains("cannot") {
-                "Not solved yet: = solves it, L solves after each edit.".into()
-            } else {
-                text
-            };
+        let solving = format!("Solving the three models{}", theme.glyphs.ellipsis);
+        let waits = "= solves the three models, L solves them after each edit.";
+        let text = why.unwrap_or_else(|| if editing.solving.pending.is_some() { solving } else { waits.into() });
         let style = Style::new();
         text_pane::render((title, &text, style), &mut crate::tui::app::Scroll::default(), true, theme, area, buffer);
         return;

@@ -7,7 +7,7 @@
 //! │ -20│                       ⢸⣿⡇               │
 //! ```
 //!
-//! Within the tolerance a bar is one dot wide, beyond it two: so it shows without colour.
+//! Two dotted lines are the tolerance. Within it a bar is one dot wide, beyond it two: so it shows without colour.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -19,8 +19,8 @@ use crate::tui::app::Picture;
 use crate::tui::theme::Theme;
 use crate::tui::traces::TOLERANCE_DB;
 
-/// The scales, dB; what is beyond the largest is drawn to the edge.
-const LIMITS: [f64; 6] = [6.0, 10.0, 15.0, 20.0, 30.0, LARGEST];
+/// The scales, dB, few, so that two designs can be compared by eye; what is beyond the largest is drawn to the edge.
+const LIMITS: [f64; 3] = [10.0, 20.0, LARGEST];
 const LARGEST: f64 = 40.0;
 
 /// Title of the divider above.
@@ -43,6 +43,15 @@ pub fn render(picture: &Picture, theme: &Theme, area: Rect, buffer: &mut Buffer)
     let zero = usize::from(plot.height / 2) * down + down / 2;
     // the same scale on both sides of zero
     let reach = zero.min(canvas.dots_high() - 1 - zero);
+    // the tolerance as two dotted lines, where they can be told from the zero line
+    let tolerance = (TOLERANCE_DB / limit * reach as f64).round() as usize;
+    if tolerance > 1 {
+        let pen = Pen { style: theme.faint, letter: '.' };
+        for x in (0..canvas.dots_wide()).step_by(4) {
+            canvas.set(x, zero - tolerance, pen);
+            canvas.set(x, zero + tolerance, pen);
+        }
+    }
     for (x, difference) in columns.difference.iter().enumerate() {
         let Some(difference) = difference else { continue };
         let beyond = difference.abs() > TOLERANCE_DB;

@@ -10,7 +10,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::agreement::Agreement;
-use crate::report::grouped;
+use crate::number::grouped;
 use crate::tui::app::{App, Outcome};
 use crate::tui::theme::Theme;
 use crate::tui::worker::Summary;

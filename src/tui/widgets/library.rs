@@ -16,7 +16,7 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::panel::Title;
-use crate::report::grouped;
+use crate::number::grouped;
 use crate::text::{cut, printable};
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;

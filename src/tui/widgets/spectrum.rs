@@ -20,7 +20,7 @@ use ratatui::text::Span;
 use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
 use super::plot::{AXIS_ROWS, Dash, GUTTER, Range, curve_width, draw_curve};
-use crate::report::grouped;
+use crate::number::grouped;
 use crate::tui::app::Picture;
 use crate::tui::axis::{FrequencyAxis, multiples};
 use crate::tui::theme::Theme;
