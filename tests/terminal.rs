@@ -16,7 +16,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
 use bevelscope::tui::terminal::Session;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, Options, TuiError, run};
@@ -59,7 +59,7 @@ impl Backend for Stuck {
         MadeUp.load(path)
     }
 
-    fn compare(&self, _: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, _: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         loop {
             thread::sleep(LONG);
         }
@@ -215,7 +215,10 @@ fn the_program_shows_the_shipped_designs() {
     terminal.press("G");
     terminal.wait_for_text("enhanced: trust up to 3,364 Hz,  2.79 dB RMS");
     terminal.press("?");
-    terminal.wait_for_text("Moving");
+    // all of its frame, or the Esc and the q after it come as one key
+    terminal.wait_for("the help", |screen| {
+        screen.contents().contains("Moving") && !screen.contents().contains("Side view")
+    });
     terminal.press("\x1b");
     terminal.wait_for("the help to close", |screen| screen.contents().contains("Side view"));
     terminal.press("q");

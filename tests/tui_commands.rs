@@ -7,7 +7,7 @@ mod tui_support;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::library::{TRASH, Trashed};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::tui::action::ACTIONS;
@@ -19,7 +19,7 @@ use bevelscope::tui::message::{Effect, Ending, Message};
 use bevelscope::tui::notice::NoticeKind;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use insta::assert_snapshot;
-use tui_support::{ASCII, MadeUp, Screen, UNICODE, paths};
+use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, paths};
 
 /// A folder in memory whose files can be changed.
 #[derive(Debug)]
@@ -52,8 +52,8 @@ impl Backend for Folder {
         Ok(loaded)
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
-        let mut comparison = MadeUp.compare(design)?;
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        let mut comparison = MadeUp.compare(design, observer)?;
         if design.name.contains("stiff") {
             comparison.fe.mesh_force.iter_mut().for_each(|force| *force *= 2.0);
             comparison.enhanced_agreement.agreement_limit_hz = 3364.0;
@@ -136,6 +136,33 @@ fn stems(screen: &Screen) -> Vec<String> {
 
 fn said(screen: &Screen) -> &str {
     screen.app.notice.as_ref().map_or("", |notice| &notice.text)
+}
+
+/// Over the tables of a design: the palette has their actions, and what lies over them goes back to them.
+#[test]
+fn the_palette_and_the_help_lie_over_the_tables_as_well() {
+    let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+    screen.keys("e:");
+    let found: Vec<_> = screen.app.palette_entries().iter().map(|entry| entry.about.name).collect();
+    for about in ACTIONS.iter().filter(|about| about.name != "palette") {
+        assert_eq!(found.contains(&about.name), is_known(Mode::Table, about.action), "{}", about.name);
+    }
+    screen.keys("add-row<Enter>");
+    assert_eq!(screen.app.mode, Mode::Table);
+    assert!(screen.app.library.selected().unwrap().unsaved, "{}", screen.text());
+    for (script, mode) in [("?", Mode::Help), (":", Mode::Palette), ("<Esc>", Mode::Help), ("<Esc>", Mode::Table)] {
+        assert_eq!(screen.keys(script).app.mode, mode, "{script}");
+    }
+    // unsaved edits go before anything is done with the file
+    for script in ["<Esc>r", "D"] {
+        screen.keys(script);
+        assert!(said(&screen).contains("save them first"), "{script}: {}", said(&screen));
+        assert_eq!(screen.app.mode, Mode::Library);
+    }
+    screen.keys(":quit<Enter>");
+    assert_eq!(screen.app.mode, Mode::Leave);
+    screen.keys("<Esc>");
+    assert_eq!(screen.app.mode, Mode::Library);
 }
 
 /// Keys, the mode after them, and what is selected.
@@ -224,8 +251,10 @@ fn every_action_is_in_the_palette_of_a_mode_that_has_it_or_has_a_key_there() {
 
 #[test]
 fn every_action_is_in_the_help_with_its_keys() {
-    let screen = Folder::screen(80, 24);
-    let lines = screen.app.help_lines();
+    let mut lines = Folder::screen(80, 24).app.help_lines();
+    // the help over the tables has theirs
+    let mut tables = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+    lines.extend(tables.keys("e").app.help_lines());
     for about in ACTIONS {
         let line = lines.iter().find(|line| matches!(line, HelpLine::Entry { name, .. } if *name == about.name));
         let Some(HelpLine::Entry { keys, text, .. }) = line else { panic!("no help for {}", about.name) };

@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::worker::{Job, Ticket, Worker};
@@ -26,10 +26,10 @@ impl Backend for Gated {
         MadeUp.load(path)
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         self.started.send(design.name.clone()).unwrap();
         let _ = self.gate.lock().unwrap().recv();
-        MadeUp.compare(design)
+        MadeUp.compare(design, observer)
     }
 }
 
@@ -171,7 +171,7 @@ impl Backend for Panics {
         MadeUp.load(path)
     }
 
-    fn compare(&self, _: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, _: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         panic!("the solver is {}", "broken");
     }
 }

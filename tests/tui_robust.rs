@@ -5,27 +5,52 @@ mod tui_support;
 
 use std::path::Path;
 
-use bevelscope::comparison::{Comparison, SolveError};
+use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::rotor::RotorError;
 use bevelscope::tui::files::{FileDone, FileRequest};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
-use tui_support::{ASCII, MadeUp, Screen, UNICODE, design, not_solved};
+use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, design, not_solved};
 
 /// The states that are drawn at every size.
 fn screens() -> Vec<Screen> {
-    let mut screens: Vec<Screen> =
-        ["", "jjj<Tab>", "?", "/e", "G", ":", "?/e<Enter>nnn", "r", "D", "!", "mjc", "mjjjc", "mrx<Enter><Esc>!"]
-            .into_iter()
-            .map(|keys| {
-                let mut screen = Screen::new(80, 24, UNICODE);
-                screen.keys(keys);
-                screen
-            })
-            .collect();
+    let mut screens: Vec<Screen> = [
+        "",
+        "jjj<Tab>",
+        "?",
+        "/e",
+        "G",
+        ":",
+        "?/e<Enter>nnn",
+        "r",
+        "D",
+        "!",
+        "mjc",
+        "mjjjc",
+        "mrx<Enter><Esc>!",
+        "e:row",
+        "e?/e<Enter>n",
+    ]
+    .into_iter()
+    .map(|keys| {
+        let mut screen = Screen::new(80, 24, UNICODE);
+        screen.keys(keys);
+        screen
+    })
+    .collect();
     screens.push(Screen::new(80, 24, ASCII));
+    for keys in ["e2j", "elc-5<Enter>f", "e2lll l<Enter>c1 kg<Enter>"] {
+        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+        screen.keys(keys);
+        screens.push(screen);
+    }
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
+    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
+        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+        screen.keys(keys);
+        screens.push(screen);
+    }
     screens
 }
 
@@ -88,11 +113,11 @@ impl Backend for Hostile {
         Err(ESCAPES.into())
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         if design.name == "unsolvable" {
             Err(not_solved(RotorError::UnknownMaterial(ESCAPES.into())))
         } else {
-            MadeUp.compare(design)
+            MadeUp.compare(design, observer)
         }
     }
 }
@@ -175,8 +200,8 @@ impl Backend for Strange {
         Ok(design.into())
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
-        let mut comparison = MadeUp.compare(design)?;
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        let mut comparison = MadeUp.compare(design, observer)?;
         let force = &mut comparison.enhanced.mesh_force;
         match design.name.as_str() {
             "nan" => force.fill(Complex64::new(f64::NAN, 0.0)),

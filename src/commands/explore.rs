@@ -1,16 +1,18 @@
 //! `bevelscope` without a subcommand: the terminal explorer.
 
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::CommandError;
 use super::keys::KeysArg;
-use crate::comparison::{self, Comparison, SolveError};
+use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Trashed, trashed};
-use crate::design::{self, Difference, library};
+use crate::design::{self, Difference, LoadError, library};
 use crate::text::printable;
 use crate::tui::files::{FileDone, FileRequest};
-use crate::tui::{self, Backend, BrokenDesign, LoadedDesign};
+use crate::tui::{self, Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -125,8 +127,39 @@ impl Backend for Files {
         }
     }
 
-    fn compare(&self, design: &design::Design) -> Result<Comparison, SolveError> {
-        comparison::compare(design)
+    fn compare(&self, design: &design::Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        comparison::compare_over(design, None, observer)
+    }
+
+    fn read(&self, path: &Path) -> Result<String, String> {
+        match design::load(path) {
+            Ok(loaded) => Ok(loaded.text),
+            Err(LoadError::Invalid { text, .. }) => Ok(text),
+            Err(error) => Err(error.reason()),
+        }
+    }
+
+    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
+        match fs::read(path) {
+            Ok(bytes) if bytes == expected.as_bytes() => {}
+            Ok(_) => return Err(NotSaved::Changed),
+            Err(error) if error.kind() == ErrorKind::NotFound => return Err(NotSaved::Changed),
+            Err(error) => return Err(NotSaved::Failed(error.to_string())),
+        }
+        design::save(path, text).map_err(|error| NotSaved::Failed(error.to_string()))
+    }
+
+    fn save_variant(
+        &self,
+        original: &Path,
+        name: &library::VariantName,
+        text: &str,
+        note: Option<&str>,
+    ) -> Result<(PathBuf, String), String> {
+        let folder = original.parent().unwrap_or(Path::new(""));
+        let parent = original.file_stem().map(|stem| stem.to_string_lossy());
+        let about = library::About { design_name: None, parent: parent.as_deref(), note };
+        library::save_variant(folder, name, text, about).map_err(|error| error.to_string())
     }
 
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {

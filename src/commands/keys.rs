@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::{CommandError, Status};
 use crate::design::Source;
-use crate::text::printable;
+use crate::text::{printable, wrap};
 use crate::tui::action::{ACTIONS, Action, Category};
 use crate::tui::keymap::{Mode, is_known};
 use crate::tui::keys::{self, Keys};
@@ -117,7 +117,10 @@ fn write_table(out: &mut impl Write, keys: &Keys) -> std::io::Result<()> {
         }
         writeln!(out, "{}", category.title())?;
         for about in ACTIONS.iter().filter(|about| about.category == category) {
-            writeln!(out, "  {:<17}{}", about.name, about.doc)?;
+            for (line, doc) in wrap(about.doc, 61).iter().enumerate() {
+                let name = if line == 0 { about.name } else { "" };
+                writeln!(out, "  {name:<17}{doc}")?;
+            }
             let mut sets: Vec<(String, Vec<&str>)> = Vec::new();
             for mode in Mode::ALL.into_iter().filter(|mode| is_known(*mode, about.action)) {
                 let here = keys.of(mode, about.action, true).join(" ");
@@ -129,7 +132,7 @@ fn write_table(out: &mut impl Write, keys: &Keys) -> std::io::Result<()> {
             for (set, modes) in sets {
                 let set = if set.is_empty() { format!(":{}", about.name) } else { set };
                 let modes = if modes.len() == Mode::ALL.len() { "everywhere".into() } else { modes.join(" ") };
-                for (line, modes) in crate::text::wrap(&modes, 39).iter().enumerate() {
+                for (line, modes) in wrap(&modes, 39).iter().enumerate() {
                     let set = if line == 0 { set.as_str() } else { "" };
                     writeln!(out, "{:19}{set:<22}{modes}", "")?;
                 }

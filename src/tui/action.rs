@@ -7,18 +7,23 @@ pub enum Category {
     Move,
     Find,
     Designs,
+    Edit,
+    Solve,
     Typing,
     Program,
 }
 
 impl Category {
-    pub const ALL: [Self; 5] = [Self::Move, Self::Find, Self::Designs, Self::Typing, Self::Program];
+    pub const ALL: [Self; 7] =
+        [Self::Move, Self::Find, Self::Designs, Self::Edit, Self::Solve, Self::Typing, Self::Program];
 
     pub fn title(self) -> &'static str {
         match self {
             Self::Move => "Moving",
             Self::Find => "Finding",
             Self::Designs => "Designs",
+            Self::Edit => "Editing",
+            Self::Solve => "Solving",
             Self::Typing => "While something is typed",
             Self::Program => "Program",
         }
@@ -71,6 +76,23 @@ actions! {
     PageDown, "page-down", Move, "a page down";
     First, "first", Move, "the first design or line";
     Last, "last", Move, "the last design or line";
+    MoveLeft, "move-left", Move, "a cell to the left";
+    MoveRight, "move-right", Move, "a cell to the right";
+    FirstCell, "first-cell", Move, "the first cell of the row";
+    LastCell, "last-cell", Move, "the last cell of the row";
+    NextCell, "next-cell", Move, "the next cell; after the last the next row", hint 7 "next cell";
+    PreviousCell, "previous-cell", Move, "the cell before";
+    OtherShaft, "other-shaft", Move, "the same table of the other shaft";
+    NextTable, "next-table", Move, "the next table";
+    PreviousTable, "previous-table", Move, "the table before";
+    Segments, "segments", Move, "the segments of a shaft";
+    Bearings, "bearings", Move, "the bearings of a shaft";
+    Bodies, "bodies", Move, "the bodies on a shaft";
+    Mesh, "mesh", Move, "the mesh, and where it is on a shaft";
+    Drives, "drives", Move, "the drive of a shaft";
+    Analysis, "analysis", Move, "frequency lines, damping, beam theory";
+    Materials, "materials", Move, "the materials";
+    Design, "design", Move, "name, description, tags, parent and note";
     NextPane, "next-pane", Move, "to the error text and back to the designs", hint 2 "next pane";
     Filter, "filter", Find, "only what has these letters in it", hint 3 "filter";
     NextMatch, "next-match", Find, "the next match; after the last the first", hint 4 "match";
@@ -89,8 +111,38 @@ actions! {
     TextEnd, "text-end", Typing, "after the last letter";
     DeleteCharacter, "delete-character", Typing, "delete the letter before the cursor";
     DeleteForward, "delete-forward", Typing, "delete the letter under the cursor";
-    ClearText, "clear-text", Typing, "delete all letters";
+    ClearText, "clear-text", Typing, "delete all letters before the cursor", hint 2 "clear";
     Accept, "accept", Program, "do what is asked or chosen", hint 0 "accept";
+    OpenEditor, "edit-design", Edit, "open the tables of the design", hint 1 "edit";
+    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; - + . 0 9 begin a number", hint 0 "edit";
+    ReplaceCell, "replace-cell", Edit, "type in place of the value";
+    CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
+    ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";
+    AddRow, "add-row", Edit, "add a row below", hint 3 "add row";
+    InsertRow, "insert-row", Edit, "add a row above";
+    DuplicateRow, "duplicate-row", Edit, "add a copy of the row below it", hint 6 "duplicate";
+    DeleteRow, "delete-row", Edit, "delete the row", hint 6 "delete row";
+    MoveRowUp, "move-row-up", Edit, "move the row up";
+    MoveRowDown, "move-row-down", Edit, "move the row down";
+    Undo, "undo", Edit, "take the last edit back", hint 3 "undo";
+    Redo, "redo", Edit, "make it again", hint 6 "redo";
+    Save, "save", Edit, "save the design", hint 2 "save";
+    SaveVariant, "save-variant", Edit, "save as a variant beside the design", hint 7 "variant";
+    AcceptCell, "accept-cell", Typing, "accept what was typed, and a row down", hint 0 "accept";
+    AcceptNext, "accept-next", Typing, "accept what was typed, and the next cell", hint 1 "accept, next";
+    AcceptPrevious, "accept-previous", Typing, "accept what was typed, and the cell before";
+    Choose, "choose", Edit, "take the word under the cursor, or those that are ticked", hint 1 "take";
+    Tick, "tick", Edit, "tick the word under the cursor, or not", hint 1 "tick";
+    DeleteWord, "delete-word", Typing, "delete the word before the cursor";
+    SaveForm, "save-form", Edit, "save the variant", hint 0 "save";
+    NextField, "next-field", Typing, "name or note", hint 1 "name/note";
+    SaveAll, "save-all", Edit, "save all designs and quit", hint 0 "save all";
+    DiscardAll, "discard-all", Edit, "quit without the edits that are not saved", hint 1 "discard";
+    Findings, "findings", Find, "what is wrong or unusual in the design", hint 4 "findings";
+    GoToFinding, "go-to-finding", Find, "to the cell that the finding is about", hint 0 "go there";
+    Solve, "solve", Solve, "solve the design as it is now", hint 2 "solve";
+    ToggleLive, "toggle-live", Solve, "solve after each edit, or not", hint 8 "live";
+    CancelSolve, "cancel-solve", Solve, "stop solving", hint 0 "stop solving";
     Back, "back", Program, "one level back; never quits", hint 2 "back";
     Reread, "reread", Program, "read the folder and the designs again", hint 6 "reread";
     Redraw, "redraw", Program, "draw the whole screen again";

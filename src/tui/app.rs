@@ -1,9 +1,11 @@
 //! The explorer's state. Nothing here touches the terminal, the clock or a file.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use super::caps::Capabilities;
 use super::compare::CompareView;
+use super::editor::Editors;
 use super::files::Form;
 use super::help::HelpSearch;
 use super::keymap::Mode;
@@ -24,6 +26,8 @@ pub struct App {
     pub shown_as: String,
     pub library: Library,
     pub detail: Detail,
+    /// The designs that are being edited, and whether one is in sight instead of the explorer.
+    pub editors: Editors,
     pub mode: Mode,
     /// The modes that the present one lies over, the lowest first.
     pub below: Vec<Mode>,
@@ -71,13 +75,13 @@ pub enum Outcome {
 /// Spectra, and their columns at the width that was drawn last.
 #[derive(Debug)]
 pub struct Picture {
-    pub traces: Traces,
+    pub traces: Arc<Traces>,
     columns: Option<Columns>,
 }
 
 impl Picture {
-    pub fn new(traces: Traces) -> Self {
-        Self { traces, columns: None }
+    pub fn new(traces: impl Into<Arc<Traces>>) -> Self {
+        Self { traces: traces.into(), columns: None }
     }
 
     /// Computes the columns if the width has changed. A million lines take longer than a frame should.
@@ -142,6 +146,7 @@ impl App {
             shown_as,
             library: Library::new(library),
             detail: Detail::default(),
+            editors: Editors::default(),
             mode: Mode::Library,
             below: Vec::new(),
             keys: Keys::default(),
@@ -169,12 +174,18 @@ impl App {
 
     /// What to do after a frame: rows that have come into sight are read first.
     pub fn after_frame(&mut self) -> Vec<Effect> {
+        if let Some(pending) = self.editors.open_mut().and_then(|editing| editing.solving.pending.as_mut()) {
+            pending.is_fresh = false;
+        }
         if std::mem::take(&mut self.view_moved) { self.fill().into_iter().collect() } else { Vec::new() }
     }
 
     /// Whether a frame drawn now would likely be replaced at once, because the selected design is being solved.
     pub fn is_settling(&self) -> bool {
-        self.detail.pending && self.detail.outcome.is_none()
+        match self.editors.open() {
+            Some(editing) => editing.solving.pending.as_ref().is_some_and(|pending| pending.is_fresh),
+            None => self.detail.pending && self.detail.outcome.is_none(),
+        }
     }
 
     /// Whether the right side is a text that can be scrolled.

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::files::{FileDone, FileRequest};
-use crate::comparison::{Comparison, SolveError};
+use crate::comparison::{Comparison, Observer, SolveError};
+use crate::design::library::VariantName;
 use crate::design::{Design, Difference};
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
@@ -15,12 +16,49 @@ pub trait Backend: Send + Sync {
     /// [`BrokenDesign`] says what is wrong with the file.
     fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign>;
 
-    /// Solves the three models of a design.
+    /// Solves the three models of a design; the observer hears how far it is and may end it.
     ///
     /// # Errors
     ///
     /// [`SolveError`] says why there is no solution.
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError>;
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError>;
+
+    /// The text of a design file, also of one that is [broken](BrokenDesign).
+    ///
+    /// # Errors
+    ///
+    /// Why there is none, in one line.
+    fn read(&self, path: &Path) -> Result<String, String> {
+        let _ = path;
+        Err(READ_ONLY.into())
+    }
+
+    /// Replaces the text of a design file, if it still is `expected`.
+    ///
+    /// # Errors
+    ///
+    /// [`NotSaved`]; the file is as it was then.
+    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
+        let _ = (path, expected, text);
+        Err(NotSaved::Failed(READ_ONLY.into()))
+    }
+
+    /// Writes a text as a variant beside the design that it came from. Gives its path and its text, in which parent and
+    /// note are set.
+    ///
+    /// # Errors
+    ///
+    /// Why there is no variant, in one line. A file that is there is never overwritten.
+    fn save_variant(
+        &self,
+        original: &Path,
+        name: &VariantName,
+        text: &str,
+        note: Option<&str>,
+    ) -> Result<(PathBuf, String), String> {
+        let _ = (original, name, text, note);
+        Err(READ_ONLY.into())
+    }
 
     /// The library's files as they are now, or why its folder cannot be read. `None` where the library is a fixed list
     /// of files.
@@ -47,6 +85,17 @@ pub trait Backend: Send + Sync {
         let _ = (a, b);
         Err("the files of this library cannot be compared".into())
     }
+}
+
+const READ_ONLY: &str = "these designs can only be looked at";
+
+/// Why a design was not saved. The file is as it was.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum NotSaved {
+    #[error("the file has changed on disk since it was read")]
+    Changed,
+    #[error("{0}")]
+    Failed(String),
 }
 
 /// A design that passed its checks.

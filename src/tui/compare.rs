@@ -1,5 +1,6 @@
 //! Two designs beside one another: what differs, and how both behave.
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use super::app::{App, Scroll};
@@ -71,7 +72,12 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
         let solve = || -> Result<(Comparison, bool), String> {
             let loaded = backend.load(path).map_err(|broken| broken.one_line)?;
             let log = loaded.design.analysis.frequency_spacing == FrequencySpacing::Log;
-            Ok((backend.compare(&loaded.design).map_err(|error| error.to_string())?, log))
+            Ok((
+                backend
+                    .compare(&loaded.design, &mut |_| ControlFlow::Continue(()))
+                    .map_err(|error| error.to_string())?,
+                log,
+            ))
         };
         guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic)))
     });

@@ -16,6 +16,9 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
         match effect {
             Effect::Solve(job) => worker.solve(job),
             Effect::Fill(jobs) => worker.fill(jobs),
+            Effect::SolveEdited(job) => worker.solve_edited(job),
+            Effect::CancelSolve => worker.cancel(),
+            Effect::File(job) => worker.file(job),
             Effect::List => worker.list(),
             Effect::ChangeFile(request) => worker.change_file(request),
             Effect::Compare(job) => worker.compare(job),

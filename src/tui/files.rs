@@ -59,6 +59,10 @@ pub struct Form {
 impl App {
     pub(super) fn open_form(&mut self, purpose: Purpose) {
         let Some(row) = self.library.selected() else { return };
+        if purpose == Purpose::Rename && row.unsaved {
+            let stem = row.stem.clone();
+            return self.complain(format!("{stem} has edits that are not saved: save them first"));
+        }
         let stem = row.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let name = match purpose {
             Purpose::Rename => stem,
@@ -122,6 +126,10 @@ impl App {
 
     pub(super) fn ask_to_delete(&mut self) {
         if let Some(row) = self.library.selected() {
+            if row.unsaved {
+                let stem = row.stem.clone();
+                return self.complain(format!("{stem} has edits that are not saved: save them first"));
+            }
             self.to_delete = Some(row.path.clone());
             self.open(Mode::Confirm);
         }
@@ -175,6 +183,7 @@ impl App {
                     more => format!("; {more} variants still name the old one as their parent"),
                 };
                 self.say(format!("renamed {} to {}{variants}", stem(&from), stem(&to)));
+                self.editors.forget(&from);
                 self.library.moved(&from, &to);
                 self.library.want(to);
             }
@@ -187,6 +196,7 @@ impl App {
                 let how =
                     key.map_or_else(|| ":restore-deleted brings it back".into(), |key| format!("{key} brings it back"));
                 self.say(format!("deleted {}; {how}", stem(&path)));
+                self.editors.forget(&path);
                 self.deleted.push(trashed);
             }
             FileDone::Restored { path } => {

@@ -2,7 +2,7 @@
 
 use super::action::{ACTIONS, About, Category};
 use super::app::App;
-use super::keymap::Mode;
+use super::keymap::{self, Mode};
 use super::text_field::TextField;
 use super::theme::Theme;
 use super::traces::TOLERANCE_DB;
@@ -45,8 +45,14 @@ pub enum HelpLine {
     },
 }
 
-/// Where letters are keys; the help itself last.
-const READING: [Mode; 6] = [Mode::Library, Mode::Text, Mode::Compare, Mode::Confirm, Mode::Messages, Mode::Help];
+/// Where letters are keys in a screen and what lies over it, the help itself last.
+const EXPLORER: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Confirm, Mode::Leave, Mode::Messages, Mode::Help];
+const EDITOR: &[Mode] =
+    &[Mode::Table, Mode::Matrix, Mode::Choice, Mode::Findings, Mode::Leave, Mode::Messages, Mode::Help];
+/// Where letters are text.
+const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::HelpSearch];
+const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::HelpSearch];
 
 impl App {
     pub(super) fn open_help(&mut self) {
@@ -93,9 +99,21 @@ impl App {
     }
 
     fn help_sections(&self) -> Vec<(&'static str, Vec<HelpLine>)> {
+        let (keyed, typed) = match self.editors.open() {
+            Some(_) => (EDITOR, TYPED_IN_EDITOR),
+            None => (EXPLORER, TYPED_IN_EXPLORER),
+        };
         let entries = |category: Category| {
             let about = ACTIONS.iter().filter(move |about| about.category == category);
-            about.map(|about| HelpLine::Entry { keys: self.keys_of(about), text: about.doc.into(), name: about.name })
+            about.filter_map(|about| {
+                let is_known = keyed.iter().chain(typed).any(|mode| keymap::is_known(*mode, about.action));
+                let entry = || HelpLine::Entry {
+                    keys: self.keys_of(about, keyed, typed),
+                    text: about.doc.into(),
+                    name: about.name,
+                };
+                is_known.then(entry)
+            })
         };
         let mut sections: Vec<_> =
             Category::ALL.into_iter().map(|category| (category.title(), entries(category).collect())).collect();
@@ -104,11 +122,11 @@ impl App {
     }
 
     /// The keys of an action, or how the palette finds it.
-    fn keys_of(&self, about: &About) -> String {
+    fn keys_of(&self, about: &About, keyed: &[Mode], typed: &[Mode]) -> String {
         let ascii = self.theme.glyphs.ascii;
-        let mut keys = self.keys.anywhere(&READING, about.action, ascii);
+        let mut keys = self.keys.anywhere(keyed, about.action, ascii);
         if keys.is_empty() {
-            keys = self.keys.anywhere(&Mode::ALL, about.action, ascii);
+            keys = self.keys.anywhere(typed, about.action, ascii);
         }
         if keys.is_empty() { format!(":{}", about.name) } else { keys.join(" ") }
     }
@@ -131,7 +149,12 @@ fn marks(theme: &Theme) -> Vec<HelpLine> {
         entry(&format!("m {}", glyphs.mesh), "where the mesh acts on the shaft, and the mesh point"),
         entry("E L", "the drives: engine and load"),
         entry(glyphs.broken, "a design that cannot be read or solved"),
-        entry("!", "a design with warnings"),
+        entry("!", "a design with warnings; a cell with a warning"),
+        entry("*", "edits that are not saved"),
+        entry("(0.0)", "not written in the file: the default that holds"),
+        entry("[36.0]", "the cell under the cursor"),
+        entry(&glyphs.pointer.to_string(), "in the side view: what the cursor is on"),
+        entry(&glyphs.ghost.to_string(), "mesh force of the saved state, finite element model"),
         entry(glyphs.branch.trim(), "a variant of the design above it"),
         entry(glyphs.marked, "the design that others are compared with"),
     ]

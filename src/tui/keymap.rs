@@ -26,10 +26,24 @@ pub enum Mode {
     Messages,
     /// Two designs beside one another.
     Compare,
+    /// The tables of a design.
+    Table,
+    /// A cell is being typed into.
+    Cell,
+    /// The words that a cell may hold.
+    Choice,
+    /// The stiffness matrix of a bearing.
+    Matrix,
+    /// The list of findings.
+    Findings,
+    /// Name and note of a variant are being typed.
+    Form,
+    /// What to do with edits that are not saved.
+    Leave,
 }
 
 impl Mode {
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 17] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -40,6 +54,13 @@ impl Mode {
         Self::Confirm,
         Self::Messages,
         Self::Compare,
+        Self::Table,
+        Self::Cell,
+        Self::Choice,
+        Self::Matrix,
+        Self::Findings,
+        Self::Form,
+        Self::Leave,
     ];
 
     /// Its table in the file of keys.
@@ -55,6 +76,13 @@ impl Mode {
             Self::Confirm => "confirm",
             Self::Messages => "messages",
             Self::Compare => "compare",
+            Self::Table => "table",
+            Self::Cell => "cell",
+            Self::Choice => "choice",
+            Self::Matrix => "matrix",
+            Self::Findings => "findings",
+            Self::Form => "form",
+            Self::Leave => "leave",
         }
     }
 
@@ -73,8 +101,20 @@ pub struct Binding {
     pub action: Action,
 }
 
-const LISTS: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Messages, Mode::Compare];
-const PANES: &[Mode] = &[Mode::Library, Mode::Text];
+const LISTS: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Help, Mode::Messages, Mode::Compare, Mode::Choice, Mode::Findings];
+/// Where letters move.
+const ROWS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Table,
+    Mode::Matrix,
+];
 /// Where there is something to move in.
 const MOVING: &[Mode] = &[
     Mode::Library,
@@ -85,19 +125,32 @@ const MOVING: &[Mode] = &[
     Mode::Palette,
     Mode::Messages,
     Mode::Compare,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Table,
+    Mode::Matrix,
 ];
+const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 const LIBRARY: &[Mode] = &[Mode::Library];
-const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name];
+const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
+const TABLE: &[Mode] = &[Mode::Table];
+const CELL: &[Mode] = &[Mode::Cell];
+const FORM: &[Mode] = &[Mode::Form];
+const LINES: &[Mode] = &[Mode::Cell, Mode::Form];
+const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
+/// Where letters are text.
+const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
 /// Where the cursor can stand within the text.
-const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name];
+const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// What lies over the explorer and is closed.
 const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
 const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
 const CONFIRM: &[Mode] = &[Mode::Confirm];
-const COMMANDS: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare];
+const COMMANDS: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 
@@ -119,19 +172,75 @@ const fn control(modes: &'static [Mode], letter: char, action: Action) -> Bindin
 /// The keymap. The first key of an action is the one that the hints show.
 pub const BINDINGS: &[Binding] = &[
     key(MOVING, KeyCode::Up, Action::MoveUp),
-    letter(LISTS, 'k', Action::MoveUp),
+    letter(ROWS, 'k', Action::MoveUp),
     control(&[Mode::Palette], 'p', Action::MoveUp),
     key(MOVING, KeyCode::Down, Action::MoveDown),
-    letter(LISTS, 'j', Action::MoveDown),
+    letter(ROWS, 'j', Action::MoveDown),
     control(&[Mode::Palette], 'n', Action::MoveDown),
     key(MOVING, KeyCode::PageUp, Action::PageUp),
     control(MOVING, 'b', Action::PageUp),
     key(MOVING, KeyCode::PageDown, Action::PageDown),
     control(MOVING, 'f', Action::PageDown),
     key(LISTS, KeyCode::Home, Action::First),
-    letter(LISTS, 'g', Action::First),
+    letter(ROWS, 'g', Action::First),
     key(LISTS, KeyCode::End, Action::Last),
-    letter(LISTS, 'G', Action::Last),
+    letter(ROWS, 'G', Action::Last),
+    key(CELLS, KeyCode::Left, Action::MoveLeft),
+    letter(CELLS, 'h', Action::MoveLeft),
+    key(CELLS, KeyCode::Right, Action::MoveRight),
+    letter(CELLS, 'l', Action::MoveRight),
+    key(CELLS, KeyCode::Home, Action::FirstCell),
+    key(CELLS, KeyCode::End, Action::LastCell),
+    key(CELLS, KeyCode::Tab, Action::NextCell),
+    key(CELLS, KeyCode::BackTab, Action::PreviousCell),
+    letter(TABLE, 'p', Action::OtherShaft),
+    letter(TABLE, ']', Action::NextTable),
+    letter(TABLE, '[', Action::PreviousTable),
+    letter(TABLE, '1', Action::Segments),
+    letter(TABLE, '2', Action::Bearings),
+    letter(TABLE, '3', Action::Bodies),
+    letter(TABLE, '4', Action::Mesh),
+    letter(TABLE, '5', Action::Drives),
+    letter(TABLE, '6', Action::Analysis),
+    letter(TABLE, '7', Action::Materials),
+    letter(TABLE, '8', Action::Design),
+    letter(PANES, 'e', Action::OpenEditor),
+    key(PANES, KeyCode::Enter, Action::OpenEditor),
+    key(CELLS, KeyCode::Enter, Action::EditCell),
+    letter(CELLS, 'c', Action::ReplaceCell),
+    letter(TABLE, ' ', Action::CycleCell),
+    letter(CELLS, 'x', Action::ClearCell),
+    key(CELLS, KeyCode::Delete, Action::ClearCell),
+    letter(TABLE, 'a', Action::AddRow),
+    letter(TABLE, 'A', Action::InsertRow),
+    letter(TABLE, 'Y', Action::DuplicateRow),
+    letter(TABLE, 'D', Action::DeleteRow),
+    letter(TABLE, 'K', Action::MoveRowUp),
+    letter(TABLE, 'J', Action::MoveRowDown),
+    letter(CELLS, 'u', Action::Undo),
+    control(CELLS, 'r', Action::Redo),
+    letter(TABLE, 's', Action::Save),
+    letter(TABLE, 'S', Action::SaveVariant),
+    key(CELL, KeyCode::Enter, Action::AcceptCell),
+    key(CELL, KeyCode::Tab, Action::AcceptNext),
+    key(CELL, KeyCode::BackTab, Action::AcceptPrevious),
+    key(&[Mode::Choice], KeyCode::Enter, Action::Choose),
+    letter(&[Mode::Choice], ' ', Action::Tick),
+    control(LINES, 'w', Action::DeleteWord),
+    key(FORM, KeyCode::Enter, Action::SaveForm),
+    key(FORM, KeyCode::Tab, Action::NextField),
+    key(FORM, KeyCode::BackTab, Action::NextField),
+    key(FORM, KeyCode::Up, Action::NextField),
+    key(FORM, KeyCode::Down, Action::NextField),
+    letter(&[Mode::Leave], 's', Action::SaveAll),
+    letter(&[Mode::Leave], 'd', Action::DiscardAll),
+    letter(TABLE, 'f', Action::Findings),
+    letter(&[Mode::Findings], 'f', Action::Back),
+    key(&[Mode::Findings], KeyCode::Enter, Action::GoToFinding),
+    letter(CELLS, '=', Action::Solve),
+    key(CELLS, KeyCode::F(5), Action::Solve),
+    letter(TABLE, 'L', Action::ToggleLive),
+    letter(CELLS, 'X', Action::CancelSolve),
     key(PANES, KeyCode::Tab, Action::NextPane),
     key(PANES, KeyCode::BackTab, Action::NextPane),
     key(LIBRARY, KeyCode::Right, Action::NextPane),
@@ -170,9 +279,9 @@ pub const BINDINGS: &[Binding] = &[
     control(ALL, 'z', Action::Suspend),
     letter(COMMANDS, ':', Action::Palette),
     letter(PANES, '!', Action::Messages),
-    letter(PANES, '?', Action::Help),
+    letter(BROWSING, '?', Action::Help),
     letter(&[Mode::Compare], '?', Action::Help),
-    letter(PANES, 'q', Action::Quit),
+    letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];
 

@@ -2,7 +2,10 @@
 
 use super::action::Action;
 use super::app::{App, Outcome};
+use super::editor::{Editing, Layer};
 use super::keymap::Mode;
+use super::message::Effect;
+use crate::design::grid::{CellKind, Shape};
 
 impl App {
     /// All modes, the lowest first.
@@ -23,6 +26,15 @@ impl App {
         if self.mode == Mode::Text && !self.has_text() {
             self.mode = Mode::Library;
         }
+        self.follow_editor();
+    }
+
+    /// What a key or the palette asks for: of the editor first, if it is in sight.
+    pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
+        match self.act_in_editor(action) {
+            Some(effects) => effects,
+            None => self.act(action),
+        }
     }
 
     /// Whether an action would do something now.
@@ -37,14 +49,47 @@ impl App {
             }
             Action::Filter | Action::MoveUp | Action::MoveDown if panes => !self.library.is_empty(),
             Action::Back => self.mode != Mode::Library || !self.library.filter().is_empty(),
-            Action::Mark | Action::Rename | Action::Duplicate | Action::Delete => selected.is_some(),
+            Action::Mark | Action::Rename | Action::Duplicate | Action::Delete | Action::OpenEditor => {
+                selected.is_some()
+            }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
-            _ => true,
+            Action::Quit if self.mode == Mode::Leave || self.mode.is_typing() => false,
+            // everyone knows, and there is much to say
+            Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,
+            _ if !self.below.is_empty() => true,
+            _ => self.editors.open().is_none_or(|editing| applies_in_editor(editing, action)),
         }
     }
 
     /// Whether the present outcome is a solution.
     pub fn is_solved(&self) -> bool {
         matches!(self.detail.outcome, Some(Outcome::Solved { .. }))
+    }
+}
+
+fn applies_in_editor(editing: &Editing, action: Action) -> bool {
+    let is_list = matches!(editing.view.shape, Shape::List { .. });
+    let is_there = editing.view.row(editing.cursor().row).is_some();
+    match action {
+        Action::Undo => editing.editor.undo_name().is_some(),
+        Action::Redo => editing.editor.redo_name().is_some(),
+        Action::Save => editing.is_modified(),
+        Action::OtherShaft => editing.tab.has_sides(),
+        Action::AddRow => editing.view.shape != Shape::Single,
+        Action::DuplicateRow => is_list && is_there,
+        Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
+        Action::CancelSolve => editing.solving.pending.is_some(),
+        Action::Solve => editing.solving.pending.is_none() && editing.wants_solution(),
+        Action::Findings => !editing.findings().is_empty(),
+        Action::CycleCell => {
+            editing.cell().is_some_and(|cell| matches!(cell.kind, CellKind::Choice(_) | CellKind::Model(_)))
+        }
+        Action::ClearCell => {
+            let target = editing.target();
+            target.is_some_and(|cell| cell.shown.is_written() && !cell.required)
+        }
+        Action::Tick => matches!(&editing.layer, Some(Layer::Choice(choice)) if choice.ticked.is_some()),
+        Action::NextCell => !editing.view.is_turned(),
+        _ => true,
     }
 }

@@ -20,6 +20,8 @@ pub struct Row {
     pub ticket: Ticket,
     /// To be read again.
     pub stale: bool,
+    /// It has edits that are not in the file.
+    pub unsaved: bool,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +40,15 @@ impl Row {
     pub(super) fn new(path: PathBuf) -> Self {
         let stem = path.file_stem().map_or_else(|| path.to_string_lossy(), |stem| stem.to_string_lossy());
         let stem = printable(&stem).into_owned();
-        Self { path, stem, loaded: None, state: RowState::Pending, ticket: Ticket::default(), stale: false }
+        Self {
+            path,
+            stem,
+            loaded: None,
+            state: RowState::Pending,
+            ticket: Ticket::default(),
+            stale: false,
+            unsaved: false,
+        }
     }
 
     /// The design's own name, or the file's while it is not known; safe to show.
@@ -269,6 +279,26 @@ impl Library {
         let find = |path: &Path| self.shown.iter().position(|&(at, _)| self.rows[at].path == path);
         let kept = wanted.as_deref().and_then(find).or_else(|| selected.as_deref().and_then(find));
         self.cursor = kept.unwrap_or(place).min(self.shown.len().saturating_sub(1));
+    }
+
+    /// Takes in a file, by name among those of its folder.
+    pub fn add(&mut self, path: PathBuf) {
+        let mut paths: Vec<PathBuf> = self.rows.iter().map(|row| row.path.clone()).collect();
+        if !paths.contains(&path) {
+            let mut places = (0..paths.len()).filter(|&at| paths[at].parent() == path.parent());
+            let place = places.clone().find(|&at| paths[at] > path).or(places.next_back().map(|at| at + 1));
+            paths.insert(place.unwrap_or(paths.len()), path);
+            self.replace(paths);
+        }
+    }
+
+    /// Selects a design; a filter that hides it is dropped.
+    pub fn select(&mut self, path: &Path) {
+        let Some(at) = self.rows.iter().position(|row| row.path == path) else { return };
+        if !self.shown.iter().any(|&(shown, _)| shown == at) {
+            self.set_filter(String::new());
+        }
+        self.cursor = self.shown.iter().position(|&(shown, _)| shown == at).unwrap_or(self.cursor);
     }
 
     /// Marks all rows to be read again; results of requests before `ticket` are refused from now on.

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use ratatui::crossterm::event::KeyEvent;
 
-use super::backend::{BrokenDesign, LoadedDesign};
+use super::backend::{BrokenDesign, LoadedDesign, NotSaved};
 use super::compare::{CompareJob, Compared};
 use super::files::{FileDone, FileRequest};
-use super::worker::{Job, Solved, Ticket};
+use super::worker::{EditedJob, FileJob, Job, Solved, Ticket};
 
 /// Everything that can change the state comes as one of these.
 #[derive(Debug)]
@@ -29,6 +29,33 @@ pub enum Message {
         path: PathBuf,
         result: Result<Solved, String>,
     },
+    /// The text of a design, for its tables, or why there is none.
+    Opened {
+        path: PathBuf,
+        result: Result<String, String>,
+    },
+    /// How far the solution of an edited design is, from 0 to 1.
+    Progress {
+        ticket: Ticket,
+        done: f64,
+    },
+    /// An edited design was solved, or why not.
+    SolvedEdited {
+        ticket: Ticket,
+        path: PathBuf,
+        result: Result<Solved, String>,
+    },
+    /// A text was written, or why not.
+    Saved {
+        path: PathBuf,
+        text: String,
+        result: Result<(), NotSaved>,
+    },
+    /// A variant of the design at `original` was written: its path and its text, or why not.
+    VariantSaved {
+        original: PathBuf,
+        result: Result<(PathBuf, String), String>,
+    },
     /// The library's files, or why they cannot be listed.
     Listed(Result<Vec<PathBuf>, String>),
     /// What became of a change of a file.
@@ -48,12 +75,18 @@ pub enum Message {
 }
 
 /// What the state asks of the world after a message.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Read and solve the selected design.
     Solve(Job),
     /// Read and solve for the library's rows, in this order.
     Fill(Vec<Job>),
+    /// Solve a design as it is being edited; what is being solved is no longer wanted.
+    SolveEdited(EditedJob),
+    /// What is being solved is no longer wanted.
+    CancelSolve,
+    /// Read or write a file.
+    File(FileJob),
     /// List the library's files again.
     List,
     /// Rename, copy, delete or bring back a file.

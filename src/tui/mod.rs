@@ -22,6 +22,7 @@ pub mod axis;
 pub mod backend;
 pub mod caps;
 pub mod compare;
+pub mod editor;
 pub mod effects;
 pub mod files;
 pub mod fuzzy;
@@ -47,7 +48,7 @@ pub mod view;
 pub mod widgets;
 pub mod worker;
 
-pub use backend::{Backend, BrokenDesign, LoadedDesign};
+pub use backend::{Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 use app::App;
 use caps::Capabilities;

@@ -77,7 +77,7 @@ impl App {
         // with nothing found there is nothing to run, and what was typed can be mended
         let Some(action) = chosen else { return Vec::new() };
         self.close();
-        self.act(action)
+        self.run(action)
     }
 
     pub(super) fn edit_palette(&mut self, edit: impl FnOnce(&mut TextField)) {

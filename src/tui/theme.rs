@@ -46,6 +46,12 @@ pub struct Glyphs {
     pub bearing: char,
     pub rigid_bearing: char,
     pub mesh: char,
+    /// Above what the cursor is on.
+    pub pointer: char,
+    /// Dots of the saved state's curve.
+    pub ghost: char,
+    /// A box that is ticked.
+    pub ticked: char,
     /// The trust limit on the frequency axis.
     pub trust: char,
     pub band: char,
@@ -78,6 +84,9 @@ static UNICODE: Glyphs = Glyphs {
     bearing: '△',
     rigid_bearing: '▲',
     mesh: '×',
+    pointer: '▼',
+    ghost: '·',
+    ticked: '×',
     trust: '▲',
     band: '░',
     samples: ["━", "╍", "┈"],
@@ -107,6 +116,9 @@ static ASCII: Glyphs = Glyphs {
     bearing: '^',
     rigid_bearing: 'A',
     mesh: 'x',
+    pointer: 'v',
+    ghost: '.',
+    ticked: 'x',
     trust: '^',
     band: ':',
     samples: ["F", "e", "b"],

@@ -67,6 +67,13 @@ impl Traces {
         Self { axis, frequency, fe, enhanced, basic, difference, range, largest_difference }
     }
 
+    /// The finite element model's levels on another axis.
+    pub fn fe_columns(&self, axis: &FrequencyAxis, count: usize) -> Envelope {
+        let start = self.frequency.partition_point(|&frequency| frequency < axis.min);
+        let end = self.frequency.partition_point(|&frequency| frequency <= axis.max);
+        envelope(&self.frequency[start..end], &self.fe[start..end], axis, count)
+    }
+
     /// The columns of a picture `width` characters wide with `dots` dots in each.
     pub fn columns(&self, width: usize, dots: usize) -> Columns {
         let envelope = |values: &[f64], count: usize| envelope(&self.frequency, values, &self.axis, count);

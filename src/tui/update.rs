@@ -57,6 +57,17 @@ impl App {
                 self.solved(ticket, &path, result);
                 Vec::new()
             }
+            Message::Opened { path, result } => self.opened(path, result),
+            Message::Progress { ticket, done } => {
+                self.progress(ticket, done);
+                Vec::new()
+            }
+            Message::SolvedEdited { ticket, path, result } => {
+                self.solved_edited(ticket, &path, result);
+                Vec::new()
+            }
+            Message::Saved { path, text, result } => self.saved(&path, text, result),
+            Message::VariantSaved { original, result } => self.variant_saved(&original, result),
             Message::Listed(Ok(paths)) => {
                 self.notice.take_if(|notice| notice.kind == NoticeKind::NotListed);
                 self.library.replace(paths);
@@ -119,11 +130,16 @@ impl App {
         }
         self.clear_notice();
         if let Some(action) = self.keys.action(self.mode, event) {
-            return self.act(action);
+            return self.run(action);
         }
         match event.code {
             KeyCode::Char(letter) if !event.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT) => {
-                self.type_text(letter.encode_utf8(&mut [0; 4]))
+                if self.mode.is_typing() {
+                    self.type_text(letter.encode_utf8(&mut [0; 4]))
+                } else {
+                    // the first letter of a number begins a cell
+                    self.type_in_editor(letter)
+                }
             }
             _ => Vec::new(),
         }
@@ -131,10 +147,10 @@ impl App {
 
     /// Letters, where something is typed.
     fn type_text(&mut self, text: &str) -> Vec<Effect> {
-        if self.mode == Mode::Filter {
-            self.edit_filter(|filter| filter.push_str(text))
-        } else {
-            self.edit(|field| field.insert(text))
+        match self.mode {
+            Mode::Filter => self.edit_filter(|filter| filter.push_str(text)),
+            Mode::Cell | Mode::Form => self.paste_in_editor(text),
+            _ => self.edit(|field| field.insert(text)),
         }
     }
 
@@ -212,21 +228,15 @@ impl App {
                 self.say(if self.library.is_tree() { "variants below their parents" } else { "all designs by name" });
                 self.follow_selection()
             }
-            Action::Mark => {
-                self.toggle_mark();
-                Vec::new()
-            }
             Action::Compare => self.open_compare(),
-            Action::Rename => {
-                self.open_form(Purpose::Rename);
-                Vec::new()
-            }
-            Action::Duplicate => {
-                self.open_form(Purpose::Duplicate);
-                Vec::new()
-            }
-            Action::Delete => {
-                self.ask_to_delete();
+            Action::Mark
+            | Action::Rename
+            | Action::Duplicate
+            | Action::Delete
+            | Action::Palette
+            | Action::Messages
+            | Action::Help => {
+                self.open_for(action);
                 Vec::new()
             }
             Action::RestoreDeleted => self.restore_deleted(),
@@ -236,14 +246,6 @@ impl App {
                 Mode::Confirm => self.delete_confirmed(),
                 _ => Vec::new(),
             },
-            Action::Palette => {
-                self.open_palette();
-                Vec::new()
-            }
-            Action::Messages => {
-                self.open_messages();
-                Vec::new()
-            }
             Action::Back => self.back(),
             Action::Reread => {
                 let ticket = self.ticket();
@@ -255,11 +257,26 @@ impl App {
             }
             Action::Redraw => vec![Effect::Redraw],
             Action::Suspend => vec![Effect::Suspend],
-            Action::Help => {
-                self.open_help();
-                Vec::new()
-            }
-            Action::Quit => vec![Effect::Quit(Ending::Quit)],
+            Action::Quit => self.quit(),
+            Action::OpenEditor => self.open_editor(),
+            Action::SaveAll => self.save_all(),
+            Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
+            // the rest is the editor's
+            _ => Vec::new(),
+        }
+    }
+
+    /// What needs nothing but another state.
+    fn open_for(&mut self, action: Action) {
+        match action {
+            Action::Mark => self.toggle_mark(),
+            Action::Rename => self.open_form(Purpose::Rename),
+            Action::Duplicate => self.open_form(Purpose::Duplicate),
+            Action::Delete => self.ask_to_delete(),
+            Action::Palette => self.open_palette(),
+            Action::Messages => self.open_messages(),
+            Action::Help => self.open_help(),
+            _ => {}
         }
     }
 
@@ -271,7 +288,7 @@ impl App {
             Mode::Palette => self.palette.height.saturating_sub(1).max(1).cast_signed(),
             Mode::Messages => self.messages.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
-            Mode::Name | Mode::Confirm => 1,
+            _ => 0,
         }
     }
 
@@ -290,7 +307,7 @@ impl App {
                     view.scroll.by(by);
                 }
             }
-            Mode::Name | Mode::Confirm => {}
+            _ => {}
         }
         Vec::new()
     }
@@ -320,11 +337,13 @@ impl App {
                 self.close();
             }
             Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
+            Mode::Leave => self.stay(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {
                 self.mode = Mode::Library;
                 return self.edit_filter(String::clear);
             }
+            _ => {}
         }
         Vec::new()
     }

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use super::app::App;
 use super::keymap::Mode;
 use super::overlays;
-use super::screens::{body, compare, explorer, fits, render_too_small};
+use super::screens::{body, compare, editor, explorer, fits, render_too_small};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
@@ -22,11 +22,14 @@ fn render(app: &mut App, frame: &mut Frame) {
     }
     let cursor = if app.layers().any(|mode| mode == Mode::Compare) {
         compare::render(app, frame)
+    } else if app.editors.open().is_some() {
+        editor::render(app, frame)
     } else {
         explorer::render(app, frame)
     };
-    let cursor = overlays::render(app, body(area), frame.buffer_mut()).or(cursor);
-    if let Some(cursor) = cursor {
+    let covered = !app.below.is_empty();
+    let over = overlays::render(app, body(area), frame.buffer_mut());
+    if let Some(cursor) = over.or(cursor.filter(|_| !covered)) {
         frame.set_cursor_position(cursor);
     }
 }

@@ -1,23 +1,28 @@
 //! Work in the background: reading and solving designs while keys are answered.
 //!
-//! A thread for each kind of work, so that the design under the cursor never waits behind the library, nor a file behind
-//! a solution: the selected design and two designs to be compared have a single slot each, in which the latest request replaces
-//! what was still waiting; changes of files are done in their order; the last one fills in the rows of the library.
+//! A thread for each kind of work, so that neither the design under the cursor nor a file ever waits behind the library. Of
+//! the selected design, and of two to be compared, the latest request or edit replaces what was still waiting and ends what is
+//! being solved; another thread fills in the rows of the library; the rest read, write and move files.
 
 use std::collections::VecDeque;
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::backend::{Backend, BrokenDesign, LoadedDesign};
+use super::backend::{Backend, BrokenDesign, NotSaved};
 use super::compare::CompareJob;
 use super::files::FileRequest;
 use super::message::Message;
 use super::traces::Traces;
 use crate::agreement::Agreement;
+use crate::comparison::{Observer, SolveError};
+use crate::design::Design;
+use crate::design::library::VariantName;
 
 /// Numbers the requests: of two results for the same thing, the one with the higher ticket counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -30,6 +35,34 @@ pub struct Job {
     pub path: PathBuf,
     /// Whether the spectra are wanted, not only the figures for the library.
     pub with_traces: bool,
+}
+
+/// A design to be solved as it is being edited.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EditedJob {
+    pub ticket: Ticket,
+    pub path: PathBuf,
+    pub design: Arc<Design>,
+}
+
+/// A text to be read or written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileJob {
+    Open {
+        path: PathBuf,
+    },
+    /// Written only if the file still is as `expected`.
+    Save {
+        path: PathBuf,
+        expected: String,
+        text: String,
+    },
+    SaveVariant {
+        original: PathBuf,
+        name: VariantName,
+        text: String,
+        note: Option<String>,
+    },
 }
 
 /// What the library and the header say about a solved design.
@@ -53,6 +86,11 @@ pub struct Solved {
 ///
 /// A panic in the backend becomes the design's error: the rest of the library stays usable.
 pub fn perform(job: &Job, backend: &dyn Backend, report: &mut dyn FnMut(Message)) {
+    perform_while(job, backend, &|| true, report);
+}
+
+/// As [`perform`]; a solution that is no longer wanted is given up without a word.
+fn perform_while(job: &Job, backend: &dyn Backend, wanted: &dyn Fn() -> bool, report: &mut dyn FnMut(Message)) {
     let Job { ticket, path, with_traces } = job.clone();
     let loaded = guarded(|| backend.load(&path)).unwrap_or_else(|panic| {
         Err(BrokenDesign {
@@ -65,9 +103,10 @@ pub fn perform(job: &Job, backend: &dyn Backend, report: &mut dyn FnMut(Message)
         Err(broken) => return report(Message::Loaded { ticket, path, result: Err(broken) }),
     };
     report(Message::Loaded { ticket, path: path.clone(), result: Ok(Arc::clone(&loaded)) });
-    let result = guarded(|| solve(&loaded, backend, with_traces))
-        .unwrap_or_else(|panic| Err(format!("Solving failed unexpectedly: {panic}")));
-    report(Message::Solved { ticket, path, result });
+    let mut observer = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+    if let Some(result) = solve(&loaded.design, backend, with_traces, &mut observer) {
+        report(Message::Solved { ticket, path, result });
+    }
 }
 
 /// Changes a file and says what became of it.
@@ -77,19 +116,78 @@ pub fn change_file(request: FileRequest, backend: &dyn Backend) -> Message {
     Message::FileChanged { request, result }
 }
 
-fn solve(loaded: &LoadedDesign, backend: &dyn Backend, with_traces: bool) -> Result<Solved, String> {
-    let started = Instant::now();
-    let comparison = backend.compare(&loaded.design).map_err(|error| error.to_string())?;
-    let elapsed = started.elapsed();
-    let traces = with_traces.then(|| Box::new(Traces::new(&comparison, &loaded.design.analysis)));
-    let summary = Summary {
-        fe_coordinates: comparison.fe.coordinates,
-        lumped_coordinates: comparison.enhanced.coordinates,
-        elapsed,
-        enhanced: comparison.enhanced_agreement,
-        basic: comparison.basic_agreement,
+/// The shortest time between two reports of progress.
+const PROGRESS: Duration = Duration::from_millis(100);
+
+/// Solves a design as it is being edited, and reports progress where it takes long.
+pub fn perform_edited(
+    job: &EditedJob,
+    backend: &dyn Backend,
+    wanted: &dyn Fn() -> bool,
+    report: &mut dyn FnMut(Message),
+) {
+    let EditedJob { ticket, path, design } = job.clone();
+    let mut last = Instant::now();
+    let mut observer = |done| {
+        if last.elapsed() >= PROGRESS {
+            last = Instant::now();
+            report(Message::Progress { ticket, done });
+        }
+        if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    Ok(Solved { summary, traces })
+    if let Some(result) = solve(&design, backend, true, &mut observer) {
+        report(Message::SolvedEdited { ticket, path, result });
+    }
+}
+
+/// Reads or writes a text.
+pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Message {
+    let failed = |panic| format!("failed unexpectedly: {panic}");
+    match job {
+        FileJob::Open { path } => {
+            let result = guarded(|| backend.read(&path)).unwrap_or_else(|panic| Err(failed(panic)));
+            Message::Opened { path, result }
+        }
+        FileJob::Save { path, expected, text } => {
+            let result = guarded(|| backend.save(&path, &expected, &text))
+                .unwrap_or_else(|panic| Err(NotSaved::Failed(failed(panic))));
+            Message::Saved { path, text, result }
+        }
+        FileJob::SaveVariant { original, name, text, note } => {
+            let result = guarded(|| backend.save_variant(&original, &name, &text, note.as_deref()))
+                .unwrap_or_else(|panic| Err(failed(panic)));
+            Message::VariantSaved { original, result }
+        }
+    }
+}
+
+/// The solution or why there is none; nothing if the observer ended it.
+fn solve(
+    design: &Design,
+    backend: &dyn Backend,
+    with_traces: bool,
+    observer: &mut Observer<'_>,
+) -> Option<Result<Solved, String>> {
+    let started = Instant::now();
+    let solved = guarded(|| {
+        let comparison = backend.compare(design, observer)?;
+        let elapsed = started.elapsed();
+        let traces = with_traces.then(|| Box::new(Traces::new(&comparison, &design.analysis)));
+        let summary = Summary {
+            fe_coordinates: comparison.fe.coordinates,
+            lumped_coordinates: comparison.enhanced.coordinates,
+            elapsed,
+            enhanced: comparison.enhanced_agreement,
+            basic: comparison.basic_agreement,
+        };
+        Ok(Solved { summary, traces })
+    });
+    match solved {
+        Ok(Ok(solved)) => Some(Ok(solved)),
+        Ok(Err(SolveError::Cancelled)) => None,
+        Ok(Err(error)) => Some(Err(error.to_string())),
+        Err(panic) => Some(Err(format!("Solving failed unexpectedly: {panic}"))),
+    }
 }
 
 pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
@@ -109,23 +207,32 @@ pub struct Worker {
 struct Shared {
     queues: Mutex<Queues>,
     changed: Condvar,
+    /// The ticket of the selected design's latest request; an older one is given up.
+    latest: AtomicU64,
 }
 
 #[derive(Debug, Default)]
 struct Queues {
-    selected: Option<Job>,
+    selected: Option<Task>,
     rows: VecDeque<Job>,
     list: bool,
     changes: VecDeque<FileRequest>,
     compare: Option<CompareJob>,
+    files: VecDeque<FileJob>,
     closed: bool,
 }
 
+#[derive(Debug)]
 enum Task {
+    /// Of the library: always wanted.
+    Fill(Job),
+    /// Of the selected design: wanted while it is the latest.
     Solve(Job),
+    SolveEdited(EditedJob),
     List,
     ChangeFile(FileRequest),
     Compare(Box<CompareJob>),
+    File(FileJob),
 }
 
 impl Shared {
@@ -157,16 +264,17 @@ impl Worker {
     /// The system's, if it allows no more threads.
     pub fn start(backend: Arc<dyn Backend>, sender: &Sender<Message>) -> std::io::Result<Self> {
         let worker = Self { shared: Arc::default() };
-        worker.spawn("selected", Arc::clone(&backend), sender, |queues| queues.selected.take().map(Task::Solve))?;
+        worker.spawn("selected", Arc::clone(&backend), sender, |queues| queues.selected.take())?;
         worker.spawn("changes", Arc::clone(&backend), sender, |queues| {
             queues.changes.pop_front().map(Task::ChangeFile)
         })?;
         worker.spawn("compare", Arc::clone(&backend), sender, |queues| {
             queues.compare.take().map(|job| Task::Compare(Box::new(job)))
         })?;
-        worker.spawn("library", backend, sender, |queues| {
-            if std::mem::take(&mut queues.list) { Some(Task::List) } else { queues.rows.pop_front().map(Task::Solve) }
+        worker.spawn("library", Arc::clone(&backend), sender, |queues| {
+            if std::mem::take(&mut queues.list) { Some(Task::List) } else { queues.rows.pop_front().map(Task::Fill) }
         })?;
+        worker.spawn("files", backend, sender, |queues| queues.files.pop_front().map(Task::File))?;
         Ok(worker)
     }
 
@@ -182,13 +290,19 @@ impl Worker {
         let mut report = move |message| drop(sender.send(message));
         let work = move || {
             while let Some(task) = shared.next(&take) {
+                let is_latest = |ticket: Ticket| shared.latest.load(Ordering::Relaxed) == ticket.0;
                 match task {
-                    Task::Solve(job) => perform(&job, &*backend, &mut report),
                     Task::ChangeFile(request) => report(change_file(request, &*backend)),
                     Task::Compare(job) => {
                         let result = Box::new(super::compare::perform(&job, &*backend));
                         report(Message::Compared { ticket: job.ticket, result });
                     }
+                    Task::Fill(job) => perform(&job, &*backend, &mut report),
+                    Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
+                    Task::SolveEdited(job) => {
+                        perform_edited(&job, &*backend, &|| is_latest(job.ticket), &mut report);
+                    }
+                    Task::File(job) => report(perform_file(job, &*backend)),
                     Task::List => {
                         if let Some(listed) = guarded(|| backend.list()).unwrap_or_else(|panic| Some(Err(panic))) {
                             report(Message::Listed(listed));
@@ -200,9 +314,32 @@ impl Worker {
         thread::Builder::new().name(name.into()).spawn(work).map(drop)
     }
 
-    /// Asks for the selected design; what was still waiting in its place is dropped.
+    /// Asks for the selected design; what was waiting or being solved in its place is given up.
     pub fn solve(&self, job: Job) {
-        self.shared.lock().selected = Some(job);
+        self.select(job.ticket, Some(Task::Solve(job)));
+    }
+
+    /// Asks for a design as it is being edited, in the place of the selected one.
+    pub fn solve_edited(&self, job: EditedJob) {
+        self.select(job.ticket, Some(Task::SolveEdited(job)));
+    }
+
+    /// Gives up what is waiting or being solved in the place of the selected design.
+    pub fn cancel(&self) {
+        self.select(Ticket::default(), None);
+    }
+
+    fn select(&self, ticket: Ticket, task: Option<Task>) {
+        let mut queues = self.shared.lock();
+        queues.selected = task;
+        self.shared.latest.store(ticket.0, Ordering::Relaxed);
+        drop(queues);
+        self.shared.changed.notify_all();
+    }
+
+    /// Asks for a file to be read or written, after those that were asked for before.
+    pub fn file(&self, job: FileJob) {
+        self.shared.lock().files.push_back(job);
         self.shared.changed.notify_all();
     }
 

@@ -4,11 +4,13 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bevelscope::agreement::Agreement;
-use bevelscope::comparison::{Comparison, SolveError, Spectrum};
+use bevelscope::comparison::{Comparison, Observer, SolveError, Spectrum, compare_over};
 use bevelscope::design::Side;
+use bevelscope::design::library::{SHIPPED, VariantName};
 use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
     Hold, Mesh, MeshVectors, RotorDesign, Segment,
@@ -19,8 +21,8 @@ use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
-use bevelscope::tui::worker::{self, Job};
-use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
+use bevelscope::tui::worker::{self, EditedJob, Job};
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, NotSaved, view};
 use num_complex::Complex64;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -51,11 +53,86 @@ impl Backend for MadeUp {
         Ok(loaded)
     }
 
-    fn compare(&self, design: &Design) -> Result<Comparison, SolveError> {
+    fn compare(&self, design: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         if design.name.starts_with("unsolvable") {
             return Err(not_solved(RotorError::Unsupported(vec![Motion::ThX])));
         }
         Ok(comparison(design))
+    }
+}
+
+/// Design files that are kept in memory, read and solved as real ones are.
+#[derive(Debug, Default, Clone)]
+pub struct Shelf {
+    pub texts: Arc<Mutex<BTreeMap<PathBuf, String>>>,
+}
+
+impl Shelf {
+    pub fn new(files: &[(&str, &str)]) -> Self {
+        let texts = files.iter().map(|(stem, text)| (paths(&[stem])[0].clone(), (*text).to_owned())).collect();
+        Self { texts: Arc::new(Mutex::new(texts)) }
+    }
+
+    /// The designs that come with the program.
+    pub fn shipped() -> Self {
+        let files: Vec<_> =
+            SHIPPED.iter().map(|shipped| (shipped.file_name.trim_end_matches(".toml"), shipped.text)).collect();
+        Self::new(&files)
+    }
+
+    pub fn text(&self, stem: &str) -> Option<String> {
+        self.texts.lock().unwrap().get(&paths(&[stem])[0]).cloned()
+    }
+
+    pub fn stems(&self) -> Vec<String> {
+        let texts = self.texts.lock().unwrap();
+        texts.keys().map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect()
+    }
+}
+
+impl Backend for Shelf {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        let text = self.read(path).map_err(|error| BrokenDesign { one_line: error.clone(), full_text: error })?;
+        let reading = bevelscope::design::read(&text);
+        let message = reading.errors().next().map_or(String::new(), |finding| finding.message.clone());
+        match reading.design {
+            Some(design) => Ok(design.into()),
+            None => Err(BrokenDesign { one_line: message.clone(), full_text: message }),
+        }
+    }
+
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        compare_over(design, None, observer)
+    }
+
+    fn read(&self, path: &Path) -> Result<String, String> {
+        self.texts.lock().unwrap().get(path).cloned().ok_or_else(|| "there is no such file".into())
+    }
+
+    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
+        let mut texts = self.texts.lock().unwrap();
+        match texts.get_mut(path) {
+            Some(saved) if saved == expected => text.clone_into(saved),
+            _ => return Err(NotSaved::Changed),
+        }
+        Ok(())
+    }
+
+    fn save_variant(
+        &self,
+        original: &Path,
+        name: &VariantName,
+        text: &str,
+        note: Option<&str>,
+    ) -> Result<(PathBuf, String), String> {
+        let path = name.path_in(original.parent().unwrap());
+        let mut texts = self.texts.lock().unwrap();
+        if texts.contains_key(&path) {
+            return Err("there is a file of that name already".into());
+        }
+        let text = format!("# note: {}\n{text}", note.unwrap_or_default());
+        texts.insert(path.clone(), text.clone());
+        Ok((path, text))
     }
 }
 
@@ -277,16 +354,26 @@ impl Screen {
                 Effect::Fill(jobs) => jobs.clone(),
                 _ => Vec::new(),
             };
+            let edited = if let Effect::SolveEdited(job) = &effect { Some(job.clone()) } else { None };
+            let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
             if let Some(message) = message {
                 let effects = self.app.update(message);
                 self.carry_out(effects);
             }
-            for job in jobs {
-                if !self.held {
-                    self.perform(&job);
+            if !self.held {
+                for job in &jobs {
+                    self.perform(job);
                 }
+                if let Some(job) = &edited {
+                    self.perform_edited(job);
+                }
+            }
+            if let Some(job) = file {
+                let message = worker::perform_file(job, &*self.backend);
+                let effects = self.app.update(message);
+                self.carry_out(effects);
             }
         }
     }
@@ -313,6 +400,16 @@ impl Screen {
                 // the only thing that differs from run to run
                 solved.summary.elapsed = Duration::from_micros(640);
             }
+            let effects = self.app.update(message);
+            self.carry_out(effects);
+        }
+    }
+
+    /// Solves an edited design and takes in the result.
+    pub fn perform_edited(&mut self, job: &EditedJob) {
+        let mut messages = Vec::new();
+        worker::perform_edited(job, &*self.backend, &|| true, &mut |message| messages.push(message));
+        for message in messages {
             let effects = self.app.update(message);
             self.carry_out(effects);
         }
@@ -400,6 +497,7 @@ fn named_key(name: &str) -> KeyEvent {
         "End" => KeyCode::End,
         "PgUp" => KeyCode::PageUp,
         "PgDn" => KeyCode::PageDown,
+        "S-Tab" => KeyCode::BackTab,
         "Delete" => KeyCode::Delete,
         "F5" => KeyCode::F(5),
         other => {

@@ -24,7 +24,8 @@ const ALL: &str = "all";
 const NONE: &str = "none";
 
 /// Actions without which one is lost: where they had a key they keep one.
-const ESSENTIAL: [Action; 5] = [Action::Quit, Action::Help, Action::Back, Action::Palette, Action::Accept];
+const ESSENTIAL: [Action; 7] =
+    [Action::Quit, Action::Help, Action::Back, Action::Palette, Action::Accept, Action::SaveAll, Action::DiscardAll];
 
 /// A file's keys over those of the program.
 #[derive(Debug, Clone, PartialEq)]

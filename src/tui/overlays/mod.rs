@@ -13,6 +13,7 @@ use super::app::App;
 use super::keymap::Mode;
 use super::text_field::TextField;
 use super::theme::Theme;
+use super::widgets::leave;
 
 /// Draws all windows over the body of a screen, the lowest first, and returns where the cursor stands, if something is typed.
 pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
@@ -27,7 +28,9 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             Mode::Name => cursor = form::render(app, area, buffer),
             Mode::Confirm => form::render_question(app, area, buffer),
             Mode::Messages => messages::render(app, area, buffer),
-            Mode::Library | Mode::Text | Mode::Filter | Mode::Compare => {}
+            Mode::Leave => leave::render(app, area, buffer),
+            // screens, and what the editor draws itself
+            _ => {}
         }
     }
     cursor

@@ -1,6 +1,7 @@
 //! The screens: each fills the terminal, with a header, a body, figures and the keys.
 
 pub mod compare;
+pub mod editor;
 pub mod explorer;
 
 use ratatui::buffer::Buffer;

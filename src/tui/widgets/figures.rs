@@ -12,6 +12,8 @@ use ratatui::text::{Line, Span};
 use crate::agreement::Agreement;
 use crate::number::grouped;
 use crate::tui::app::{App, Outcome};
+use crate::tui::theme::Theme;
+use crate::tui::worker::Summary;
 
 /// Rows that the figures take.
 pub const HEIGHT: u16 = 2;
@@ -25,25 +27,56 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         return;
     };
-    let models = [("enhanced", &summary.enhanced, app.theme.enhanced), ("basic", &summary.basic, app.theme.basic)];
-    let limits = models.map(|(_, agreement, _)| limit(agreement));
-    let wide = limits.iter().map(String::len).max().unwrap_or(0);
-    for (row, ((name, agreement, style), limit)) in models.into_iter().zip(limits).enumerate() {
-        if row as u16 >= area.height {
-            break;
-        }
-        let mut spans = vec![
+    render_models(summary, None, &app.theme, area, buffer);
+}
+
+/// Draws the figures, beside those of the saved state where they differ.
+pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let agreements = |summary: &Summary| [summary.enhanced.clone(), summary.basic.clone()];
+    let now = agreements(summary);
+    let was = was.map(agreements);
+    let limits = now.each_ref().map(limit);
+    let before: [String; 2] = std::array::from_fn(|at| match &was {
+        Some(was) if limit(&was[at]) != limits[at] => format!(" (was {}),", short_limit(&was[at])),
+        _ => ",".into(),
+    });
+    let wide: [usize; 2] =
+        [limits.iter().map(String::len).max().unwrap_or(0), before.iter().map(String::len).max().unwrap_or(0)];
+    let models = [("enhanced", theme.enhanced), ("basic", theme.basic)];
+    for (row, (name, style)) in models.into_iter().enumerate().take(usize::from(area.height)) {
+        let agreement = &now[row];
+        let rms = match &was {
+            Some(was) if format!("{:.2}", was[row].rms_db) != format!("{:.2}", agreement.rms_db) => {
+                format!(" (was {:.2})", was[row].rms_db)
+            }
+            _ => String::new(),
+        };
+        let parts = [
             Span::styled(format!(" {name:>8}: "), style),
-            Span::styled(format!("{limit:>wide$}"), app.theme.title),
-            Span::raw(format!(", {:>5.2} dB RMS, FRAC {:.2}", agreement.rms_db, agreement.frac)),
+            Span::styled(format!("{:>1$}", limits[row], wide[0]), theme.title),
+            Span::raw(format!("{:<1$}", before[row], wide[1])),
+            Span::raw(format!(" {:>5.2} dB RMS{rms}", agreement.rms_db)),
+            Span::raw(format!(", FRAC {:.2}", agreement.frac)),
+            Span::styled(
+                format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz)),
+                theme.faint,
+            ),
         ];
-        let worst = format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz));
-        let line = Line::from(spans.clone());
-        if line.width() + worst.len() < usize::from(area.width) {
-            spans.push(Span::styled(worst, app.theme.faint));
+        let mut line = Line::default();
+        for part in parts {
+            // what does not fit as a whole is left out
+            if line.width() + part.width() < usize::from(area.width) {
+                line.push_span(part);
+            } else {
+                break;
+            }
         }
-        buffer.set_line(area.x, area.y + row as u16, &Line::from(spans), area.width);
+        buffer.set_line(area.x, area.y + row as u16, &line, area.width);
     }
+}
+
+fn short_limit(agreement: &Agreement) -> String {
+    if agreement.agreement_limit_hz > 0.0 { grouped(agreement.agreement_limit_hz) } else { "nowhere".into() }
 }
 
 fn limit(agreement: &Agreement) -> String {

@@ -101,8 +101,14 @@ impl Widths {
 
     fn row(&self, row: &Row, stem: &str, theme: &Theme) -> String {
         let ellipsis = theme.glyphs.ellipsis;
+        let name = if row.unsaved {
+            // the mark is never cut off
+            format!("{} *", cut(stem, self.name.saturating_sub(2), ellipsis))
+        } else {
+            stem.to_owned()
+        };
         match &row.state {
-            RowState::Pending | RowState::Loaded => self.line(stem, ellipsis, ellipsis, theme),
+            RowState::Pending | RowState::Loaded => self.line(&name, ellipsis, ellipsis, theme),
             RowState::Solved(summary) => {
                 let limit = match summary.enhanced.agreement_limit_hz {
                     limit if limit > 0.0 => grouped(limit),
@@ -110,10 +116,10 @@ impl Widths {
                 };
                 let warned = row.loaded.as_ref().is_some_and(|loaded| !loaded.warnings.is_empty());
                 let limit = if warned { format!("! {limit}") } else { limit };
-                self.line(stem, &summary.fe_coordinates.to_string(), &limit, theme)
+                self.line(&name, &summary.fe_coordinates.to_string(), &limit, theme)
             }
-            RowState::Broken(broken) => self.broken(stem, &broken.one_line, theme),
-            RowState::Unsolvable(message) => self.broken(stem, message.lines().next().unwrap_or_default(), theme),
+            RowState::Broken(broken) => self.broken(&name, &broken.one_line, theme),
+            RowState::Unsolvable(message) => self.broken(&name, message.lines().next().unwrap_or_default(), theme),
         }
     }
 
@@ -122,7 +128,11 @@ impl Widths {
         let ellipsis = theme.glyphs.ellipsis;
         let reason = format!("{} {}", theme.glyphs.broken, printable(reason));
         let room = self.all.saturating_sub(2);
-        let name = cut(stem, room.saturating_sub(reason.width()).max(room / 2), ellipsis);
+        let name_room = room.saturating_sub(reason.width()).max(room / 2);
+        let name = match stem.strip_suffix(" *") {
+            Some(stem) => format!("{} *", cut(stem, name_room.saturating_sub(2), ellipsis)),
+            None => cut(stem, name_room, ellipsis),
+        };
         let reason = cut(&reason, room.saturating_sub(name.width()), ellipsis);
         let gap = " ".repeat((room + 1).saturating_sub(name.width() + reason.width()));
         format!(" {name}{gap}{reason}")

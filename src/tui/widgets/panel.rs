@@ -32,6 +32,18 @@ impl Title<'_> {
     }
 }
 
+/// Empties an area, for what is drawn over it.
+pub fn clear(area: Rect, buffer: &mut Buffer) {
+    let area = area.intersection(buffer.area);
+    for y in area.top()..area.bottom() {
+        for x in area.left()..area.right() {
+            if let Some(cell) = buffer.cell_mut((x, y)) {
+                cell.reset();
+            }
+        }
+    }
+}
+
 /// Draws a frame and returns what is inside.
 pub fn frame(area: Rect, buffer: &mut Buffer, title: &Title, focused: bool, theme: &Theme) -> Rect {
     if area.width < 2 || area.height < 2 {

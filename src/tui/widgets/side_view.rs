@@ -19,7 +19,7 @@ use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
-use crate::design::{BearingModel, Body, Design, MeshVectors, RotorDesign};
+use crate::design::{BearingModel, Body, Design, MeshVectors, RotorDesign, Side};
 use crate::tui::theme::Theme;
 
 const LABELS: u16 = 8;
@@ -31,8 +31,23 @@ pub fn legend(theme: &Theme) -> Title<'static> {
     Title { left: vec![format!("{marks}  E L drives"), marks], right: Vec::new() }
 }
 
+/// One thing on a shaft, by place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Element {
+    Segment(usize),
+    Bearing(usize),
+    Body(usize),
+    Mesh,
+    Drive,
+}
+
 /// Draws both shafts.
 pub fn render(design: &Design, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    render_with(design, None, theme, area, buffer);
+}
+
+/// Draws both shafts with one thing pointed out: an arrow above it, and brackets around a segment.
+pub fn render_with(design: &Design, pointed: Option<(Side, Element)>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let area = Rect { width: area.width.saturating_sub(1), ..area };
     // a row for the marks and at least one for the shaft, twice
     if area.height < 4 || area.width < LABELS + 4 {
@@ -68,7 +83,11 @@ pub fn render(design: &Design, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             usize::from(LABELS),
             theme.faint,
         );
-        shaft.render(Scale { start, across: scale, down: scale / aspect }, theme, band, buffer);
+        let scale = Scale { start, across: scale, down: scale / aspect };
+        shaft.render(scale, theme, band, buffer);
+        if let Some((_, element)) = pointed.filter(|(side, _)| side.name() == shaft.label) {
+            shaft.point_out(element, scale, theme, band, buffer);
+        }
         y += height as u16 + 1;
     }
 }
@@ -165,6 +184,45 @@ impl<'a> Shaft<'a> {
         mark(self.rotor.mesh_position, 'm');
         mark(self.rotor.drive.position, self.drive);
         buffer.set_stringn(area.x, area.bottom() - 1, marks.iter().collect::<String>(), marks.len(), theme.title);
+    }
+}
+
+impl Shaft<'_> {
+    fn point_out(&self, element: Element, scale: Scale, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+        let rotor = self.rotor;
+        let extent = match element {
+            Element::Segment(at) => rotor.segments.get(at).map(|segment| {
+                let start: f64 = rotor.segments[..at].iter().map(|segment| segment.length).sum();
+                (start, start + segment.length)
+            }),
+            Element::Bearing(at) => rotor.bearings.get(at).map(|bearing| (bearing.position, bearing.position)),
+            Element::Body(at) => rotor.bodies.get(at).map(|body| (body.position, body.position)),
+            Element::Mesh => Some((rotor.mesh_position, rotor.mesh_position)),
+            Element::Drive => Some((rotor.drive.position, rotor.drive.position)),
+        };
+        let Some((from, to)) = extent else { return };
+        let (across, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+        let last = usize::from(area.width).saturating_sub(1);
+        let cell = |position: f64| ((scale.dot(position).max(0.0) as usize / across).min(last)) as u16;
+        let style = theme.title.patch(theme.selected);
+        let (left, right) = (cell(from), cell(to).max(cell(from)));
+        let high = area.height > 2;
+        if right > left + 1 {
+            let y = area.y + (area.height - 1) / 2;
+            put(buffer, area.x + left, y, '[', style);
+            put(buffer, area.x + right - 1, y, ']', style);
+        }
+        // above the middle of it, in the first row of the shaft's picture, if that has a row for both
+        if !high && right > left + 1 {
+            return;
+        }
+        put(
+            buffer,
+            area.x + u16::midpoint(left, right.saturating_sub(1).max(left)),
+            area.y,
+            theme.glyphs.pointer,
+            style,
+        );
     }
 }
 

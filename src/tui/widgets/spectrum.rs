@@ -24,7 +24,23 @@ use crate::number::grouped;
 use crate::tui::app::Picture;
 use crate::tui::axis::{FrequencyAxis, multiples};
 use crate::tui::theme::Theme;
-use crate::tui::traces::{Columns, TOLERANCE_DB};
+use crate::tui::traces::{Columns, Envelope, TOLERANCE_DB};
+
+/// What the marks mean, with the saved state's curve if it is drawn.
+pub fn legend(theme: &Theme, ghost: bool) -> Vec<Span<'static>> {
+    let [fe, enhanced, basic] = theme.glyphs.samples;
+    let mut spans = vec![
+        Span::styled(format!("{fe} FE"), theme.fe),
+        Span::styled(format!(" {enhanced} enhanced"), theme.enhanced),
+        Span::styled(format!(" {basic} basic "), theme.basic),
+        Span::styled(theme.glyphs.band.to_string(), theme.band),
+        Span::raw(format!(" >{TOLERANCE_DB} dB")),
+    ];
+    if ghost {
+        spans.push(Span::styled(format!(" {} FE saved", theme.glyphs.ghost), theme.faint));
+    }
+    spans
+}
 
 /// Title and legend of a frame `width` columns wide.
 pub fn title(theme: &Theme, width: u16) -> Title<'static> {
@@ -46,6 +62,18 @@ pub fn title(theme: &Theme, width: u16) -> Title<'static> {
 
 /// Draws axes, band and curves into the inside of the frame.
 pub fn render(picture: &Picture, trust_limit: f64, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    render_over(picture, None, trust_limit, theme, area, buffer);
+}
+
+/// As [`render`], over a curve of the saved state, which has as many columns as the picture has cells.
+pub fn render_over(
+    picture: &Picture,
+    ghost: Option<&Envelope>,
+    trust_limit: f64,
+    theme: &Theme,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let plot = Rect {
         x: area.x + GUTTER.min(area.width),
         width: curve_width(area),
@@ -63,6 +91,9 @@ pub fn render(picture: &Picture, trust_limit: f64, theme: &Theme, area: Rect, bu
     draw_frequencies(&picture.traces.axis, theme, plot, buffer);
     draw_trust_limit(&picture.traces.axis, trust_limit, theme, plot, buffer);
     draw_band(columns, theme, plot, buffer);
+    if let Some(ghost) = ghost {
+        draw_ghost(ghost, range, theme, plot, buffer);
+    }
 
     let mut canvas = Canvas::new(plot.width, plot.height, theme.glyphs.ascii);
     let [fe, enhanced, basic] = theme.glyphs.letters;
@@ -124,6 +155,18 @@ fn draw_trust_limit(frequencies: &FrequencyAxis, limit: f64, theme: &Theme, plot
     if limit > 0.0 && (0.0..=1.0).contains(&place) {
         let column = ((place * f64::from(plot.width)) as u16).min(plot.width - 1);
         put(buffer, plot.x + column, plot.bottom(), theme.glyphs.trust, theme.enhanced.patch(theme.title));
+    }
+}
+
+/// A character of its own in each cell, so that it is told from the curves without colour.
+fn draw_ghost(ghost: &Envelope, range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+    let rows = i64::from(plot.height);
+    for (x, column) in (plot.left()..plot.right()).zip(ghost) {
+        let Some((low, high)) = column else { continue };
+        let row = |level: f64| range.row(level, usize::from(plot.height));
+        for y in row(*high).max(0)..=row(*low).min(rows - 1) {
+            put(buffer, x, plot.y + y as u16, theme.glyphs.ghost, theme.faint);
+        }
     }
 }
 

@@ -1,0 +1,301 @@
+//! One design that is being edited: its text, where the cursor is, what lies over the table.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::cursor::Cursor;
+use super::form::Form;
+use super::solving::{Ghost, Solving, same_mechanics};
+use super::typing::{Choice, Entry, Input};
+use super::view::{Place, Tab, View};
+use crate::design::grid::{Cell, Shown};
+use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, KeyPath, Side};
+use crate::text::printable;
+use crate::tui::app::Scroll;
+use crate::tui::keymap::Mode;
+
+/// A design with its edits, kept while the program runs.
+#[derive(Debug)]
+pub struct Editing {
+    pub path: PathBuf,
+    pub editor: Editor,
+    /// The text that is in the file, as far as is known.
+    saved: String,
+    saved_design: Option<Arc<Design>>,
+    /// What the text says; nothing while it has errors.
+    pub design: Option<Arc<Design>>,
+    /// The last one without errors.
+    pub last_design: Option<Arc<Design>>,
+    pub tab: Tab,
+    pub side: Side,
+    pub(super) cursors: [[Cursor; 2]; 8],
+    pub view: View,
+    pub input: Option<Input>,
+    pub layer: Option<Layer>,
+    pub solving: Solving,
+    pub notice: Option<Notice>,
+    /// A text is on its way to the file.
+    pub is_saving: bool,
+    /// Where to look for each edit that can be undone, and redone.
+    done: Vec<KeyPath>,
+    undone: Vec<KeyPath>,
+}
+
+/// What lies over the table and takes the keys.
+#[derive(Debug)]
+pub enum Layer {
+    Choice(Choice),
+    Matrix(Entry),
+    Findings(List),
+    Form(Form),
+}
+
+/// A list with a cursor.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct List {
+    pub cursor: usize,
+    pub scroll: Scroll,
+}
+
+/// What happened, in a line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Notice {
+    pub is_error: bool,
+    pub text: String,
+}
+
+impl Editing {
+    /// The tables of a text that was read from a file.
+    ///
+    /// # Errors
+    ///
+    /// [`EditError::Syntax`] where it is no TOML.
+    pub fn new(path: PathBuf, text: String) -> Result<Self, EditError> {
+        let editor = Editor::new(text)?;
+        let (tab, side) = (Tab::Segments, Side::Pinion);
+        let mut editing = Self {
+            path,
+            saved: editor.text().to_owned(),
+            saved_design: None,
+            design: None,
+            last_design: None,
+            tab,
+            side,
+            cursors: Default::default(),
+            view: View::new(&editor, tab, side),
+            editor,
+            input: None,
+            layer: None,
+            solving: Solving::default(),
+            notice: None,
+            is_saving: false,
+            done: Vec::new(),
+            undone: Vec::new(),
+        };
+        editing.take_in_text();
+        editing.saved_design = editing.design.clone();
+        Ok(editing)
+    }
+
+    /// Who listens to the keys.
+    pub fn mode(&self) -> Mode {
+        match (&self.input, &self.layer) {
+            (Some(_), _) => Mode::Cell,
+            (None, Some(Layer::Choice(_))) => Mode::Choice,
+            (None, Some(Layer::Matrix(_))) => Mode::Matrix,
+            (None, Some(Layer::Findings(_))) => Mode::Findings,
+            (None, Some(Layer::Form(_))) => Mode::Form,
+            (None, None) => Mode::Table,
+        }
+    }
+
+    pub fn is_modified(&self) -> bool {
+        self.editor.text() != self.saved
+    }
+
+    /// The text that the file had when it was read or written last.
+    pub fn saved_text(&self) -> &str {
+        &self.saved
+    }
+
+    pub fn findings(&self) -> &[Finding] {
+        &self.editor.reading().findings
+    }
+
+    /// `pinion bearings`, `materials`
+    pub fn title(&self) -> String {
+        let tab = self.tab.title();
+        if self.tab.has_sides() { format!("{} {tab}", self.side.name()) } else { tab.into() }
+    }
+
+    pub fn cursor(&self) -> Cursor {
+        self.cursors[self.tab as usize][self.side as usize]
+    }
+
+    pub fn cursor_mut(&mut self) -> &mut Cursor {
+        &mut self.cursors[self.tab as usize][self.side as usize]
+    }
+
+    /// The cell under the cursor.
+    pub fn cell(&self) -> Option<&Cell> {
+        let cursor = self.cursor();
+        self.view.cell(cursor.row, cursor.column)
+    }
+
+    /// The entry under the cursor of the matrix that lies open.
+    pub fn entry(&self) -> Option<&Cell> {
+        let Some(Layer::Matrix(entry)) = &self.layer else { return None };
+        self.view.matrix_entry(self.cursor().row, (entry.row, entry.column))
+    }
+
+    /// What would be typed into now.
+    pub fn target(&self) -> Option<&Cell> {
+        if matches!(self.layer, Some(Layer::Matrix(_))) { self.entry() } else { self.cell() }
+    }
+
+    /// The text has changed: reads the tables again.
+    fn take_in_text(&mut self) {
+        self.design = self.editor.reading().design.clone().map(Arc::new);
+        if self.design.is_some() {
+            self.last_design = self.design.clone();
+        }
+        self.show(self.tab, self.side);
+    }
+
+    /// Shows a table.
+    pub fn show(&mut self, tab: Tab, side: Side) {
+        (self.tab, self.side) = (tab, side);
+        self.view = View::new(&self.editor, tab, side);
+        self.hold_cursor();
+    }
+
+    pub fn say(&mut self, text: impl Into<String>) {
+        self.notice = Some(Notice { is_error: false, text: text.into() });
+    }
+
+    pub fn warn(&mut self, text: impl Into<String>) {
+        self.notice = Some(Notice { is_error: true, text: text.into() });
+    }
+
+    /// Makes an edit. Where the cursor goes is left to the caller.
+    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
+        let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
+        if applied.changed {
+            self.done.push(applied.focus.clone());
+            self.undone.clear();
+            self.take_in_text();
+        }
+        Ok(applied)
+    }
+
+    /// Makes an edit and says why it cannot be made.
+    pub(super) fn make(&mut self, edit: &Edit) -> Option<Applied> {
+        self.apply(edit).map_err(|error| self.warn(error)).ok()
+    }
+
+    pub fn undo(&mut self) {
+        let Some(name) = self.editor.undo() else { return self.say("nothing to undo") };
+        let focus = self.done.pop();
+        self.step_taken("undo", &name, focus.clone());
+        self.undone.extend(focus);
+    }
+
+    pub fn redo(&mut self) {
+        let Some(name) = self.editor.redo() else { return self.say("nothing to redo") };
+        let focus = self.undone.pop();
+        self.step_taken("redo", &name, focus.clone());
+        self.done.extend(focus);
+    }
+
+    fn step_taken(&mut self, what: &str, name: &EditName, focus: Option<KeyPath>) {
+        let entry = match self.layer {
+            Some(Layer::Matrix(entry)) => Some((entry, self.cursor().row)),
+            _ => None,
+        };
+        self.take_in_text();
+        if let Some(focus) = focus {
+            self.go_to(&focus);
+        }
+        // the matrix stays open while its entries change
+        if let Some((entry, row)) = entry.filter(|(_, row)| self.cursor().row == *row && self.on_matrix()) {
+            self.cursor_mut().row = row;
+            self.layer = Some(Layer::Matrix(entry));
+        }
+        self.say(format!("{what}: {name}"));
+    }
+
+    fn on_matrix(&self) -> bool {
+        let cursor = self.cursor();
+        self.view.place(cursor.row, cursor.column) == Some(Place::Matrix)
+    }
+
+    /// Takes over that a text is in the file now.
+    pub fn saved(&mut self, text: String) {
+        if self.editor.text() == text {
+            self.editor.mark_saved();
+            self.saved_design.clone_from(&self.design);
+        } else {
+            self.saved_design = crate::design::read(&text).design.map(Arc::new);
+        }
+        self.saved = text;
+        self.solving.ghost = None;
+        self.keep_ghost();
+    }
+
+    /// The design lives on as a variant: another file with the same history.
+    pub fn become_variant(&mut self, path: PathBuf, text: String) {
+        let name = EditName::new("saving as a variant");
+        let edit = Edit::ReplaceText { text: text.clone(), name };
+        if self.apply(&edit).is_err()
+            && let Ok(editor) = Editor::new(text.clone())
+        {
+            self.editor = editor;
+            (self.done, self.undone) = (Vec::new(), Vec::new());
+            self.take_in_text();
+        }
+        self.path = path;
+        self.layer = None;
+        // what is under way would come for the other file
+        self.solving.pending = None;
+        self.saved(text);
+    }
+
+    /// The solution as it is now, if it is that of the saved state, is what later ones are compared with.
+    pub fn keep_ghost(&mut self) {
+        if let (Some(saved), Some(solution)) = (&self.saved_design, &self.solving.current)
+            && same_mechanics(saved, &solution.design)
+        {
+            self.solving.ghost = Some(Ghost::of(solution));
+        }
+    }
+
+    /// Whether the design's solution is neither there nor known to be none.
+    pub fn wants_solution(&self) -> bool {
+        let Some(design) = &self.design else { return false };
+        let solved = self.solving.current.as_ref().is_some_and(|solution| same_mechanics(design, &solution.design));
+        !solved && self.solving.failure(design).is_none()
+    }
+
+    /// Whether the solution that is awaited is that of the design as it is now.
+    pub fn is_pending_for_now(&self) -> bool {
+        match (&self.solving.pending, &self.design) {
+            (Some(pending), Some(design)) => same_mechanics(&pending.design, design),
+            _ => false,
+        }
+    }
+
+    pub fn is_stale(&self) -> bool {
+        self.solving.is_stale(self.design.as_deref())
+    }
+}
+
+/// The text of a place, harmless to show, with what is not written in brackets.
+pub fn shown_text(shown: &Shown) -> String {
+    match shown {
+        Shown::Written(text) if text.is_empty() => "\"\"".into(),
+        Shown::Written(text) => printable(text).into_owned(),
+        Shown::Default(text) if text.is_empty() => "()".into(),
+        Shown::Default(text) => format!("({})", printable(text)),
+        Shown::Nothing => "-".into(),
+    }
+}

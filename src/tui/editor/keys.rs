@@ -1,0 +1,191 @@
+//! What a key does to the design in sight, by what it goes to.
+
+use super::{Editing, Form, Layer, Line, List, Tab, Target};
+use crate::design::{KeyPath, Side, Towards};
+use crate::tui::action::Action;
+
+pub(super) fn act_on_table(editing: &mut Editing, action: Action) {
+    let tab = |tab: Tab, editing: &mut Editing| editing.show(tab, editing.side);
+    match action {
+        Action::MoveUp => editing.move_rows(-1),
+        Action::MoveDown => editing.move_rows(1),
+        Action::PageUp => editing.move_rows(-editing.page()),
+        Action::PageDown => editing.move_rows(editing.page()),
+        Action::First => editing.move_rows(isize::MIN),
+        Action::Last => editing.move_rows(isize::MAX),
+        Action::MoveLeft => drop(editing.move_columns(-1)),
+        Action::MoveRight => drop(editing.move_columns(1)),
+        Action::FirstCell => editing.move_to_end(false),
+        Action::LastCell => editing.move_to_end(true),
+        Action::NextCell => editing.next_cell(1),
+        Action::PreviousCell => editing.next_cell(-1),
+        Action::OtherShaft => other_shaft(editing),
+        Action::NextTable => next_tab(editing, 1),
+        Action::PreviousTable => next_tab(editing, Tab::ALL.len() - 1),
+        Action::Segments => tab(Tab::Segments, editing),
+        Action::Bearings => tab(Tab::Bearings, editing),
+        Action::Bodies => tab(Tab::Bodies, editing),
+        Action::Mesh => tab(Tab::Mesh, editing),
+        Action::Drives => tab(Tab::Drives, editing),
+        Action::Analysis => tab(Tab::Analysis, editing),
+        Action::Materials => tab(Tab::Materials, editing),
+        Action::Design => tab(Tab::Design, editing),
+        Action::EditCell => editing.edit_cell(false),
+        Action::ReplaceCell => editing.edit_cell(true),
+        Action::CycleCell => editing.cycle_cell(),
+        Action::ClearCell => editing.clear_cell(),
+        Action::AddRow => editing.add_row(true),
+        Action::InsertRow => editing.add_row(false),
+        Action::DuplicateRow => editing.duplicate_row(),
+        Action::DeleteRow => editing.delete_row(),
+        Action::MoveRowUp => editing.move_row(Towards::Start),
+        Action::MoveRowDown => editing.move_row(Towards::End),
+        Action::Undo => editing.undo(),
+        Action::Redo => editing.redo(),
+        Action::Findings => editing.layer = Some(Layer::Findings(List::default())),
+        Action::SaveVariant => {
+            let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
+            editing.layer = Some(Layer::Form(Form::new(format!("{stem}-variant"))));
+        }
+        _ => {}
+    }
+}
+
+fn other_shaft(editing: &mut Editing) {
+    if !editing.tab.has_sides() {
+        return editing.say("this table belongs to both shafts");
+    }
+    let cursor = editing.cursor();
+    let other = if editing.side == Side::Pinion { Side::Gear } else { Side::Pinion };
+    editing.show(editing.tab, other);
+    // the same value of the other shaft, where the tables are alike
+    if editing.view.is_turned() {
+        *editing.cursor_mut() = cursor;
+        editing.show(editing.tab, other);
+    }
+}
+
+fn next_tab(editing: &mut Editing, by: usize) {
+    let at = (editing.tab as usize + by) % Tab::ALL.len();
+    editing.show(Tab::ALL[at], editing.side);
+}
+
+pub(super) fn act_on_matrix(editing: &mut Editing, action: Action) {
+    match action {
+        Action::EditCell => return editing.edit_cell(false),
+        Action::ReplaceCell => return editing.edit_cell(true),
+        Action::ClearCell => return editing.clear_cell(),
+        Action::Undo => return editing.undo(),
+        Action::Redo => return editing.redo(),
+        _ => {}
+    }
+    let Some(Layer::Matrix(entry)) = &mut editing.layer else { return };
+    match action {
+        Action::MoveUp => entry.move_by(-1, 0),
+        Action::MoveDown => entry.move_by(1, 0),
+        Action::First | Action::PageUp => entry.move_by(-6, 0),
+        Action::Last | Action::PageDown => entry.move_by(6, 0),
+        Action::MoveLeft => entry.move_by(0, -1),
+        Action::MoveRight => entry.move_by(0, 1),
+        Action::FirstCell => entry.move_by(0, -6),
+        Action::LastCell => entry.move_by(0, 6),
+        Action::NextCell => entry.next(1),
+        Action::PreviousCell => entry.next(-1),
+        _ => {}
+    }
+}
+
+pub(super) fn act_on_choice(editing: &mut Editing, action: Action) {
+    if action == Action::Choose {
+        return editing.choose();
+    }
+    let Some(Layer::Choice(choice)) = &mut editing.layer else { return };
+    match action {
+        Action::MoveUp => choice.move_by(-1),
+        Action::MoveDown => choice.move_by(1),
+        Action::First | Action::PageUp => choice.move_by(isize::MIN),
+        Action::Last | Action::PageDown => choice.move_by(isize::MAX),
+        Action::Tick => choice.tick(),
+        _ => {}
+    }
+}
+
+pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
+    let count = editing.findings().len();
+    let Some(Layer::Findings(list)) = &mut editing.layer else { return };
+    let page = list.scroll.page();
+    let by = match action {
+        Action::MoveUp => -1,
+        Action::MoveDown => 1,
+        Action::PageUp => -page,
+        Action::PageDown => page,
+        Action::First => isize::MIN,
+        Action::Last => isize::MAX,
+        Action::GoToFinding => {
+            let cursor = list.cursor;
+            let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
+            match path.as_deref().map(str::parse::<KeyPath>) {
+                Some(Ok(path)) => editing.go_to(&path),
+                Some(Err(_)) => editing.say("this one is about the whole file"),
+                None => editing.layer = None,
+            }
+            return;
+        }
+        _ => return,
+    };
+    list.cursor = list.cursor.saturating_add_signed(by).min(count.saturating_sub(1));
+}
+
+/// The line that is typed into.
+pub(super) fn line(editing: &mut Editing) -> Option<&mut Line> {
+    if let Some(input) = &mut editing.input {
+        input.error = None;
+        return Some(&mut input.line);
+    }
+    match &mut editing.layer {
+        Some(Layer::Form(form)) => Some(form.line()),
+        _ => None,
+    }
+}
+
+fn act_on_line(editing: &mut Editing, action: Action) {
+    let Some(line) = line(editing) else { return };
+    match action {
+        Action::TextLeft => line.left(),
+        Action::TextRight => line.right(),
+        Action::TextStart => line.home(),
+        Action::TextEnd => line.end(),
+        Action::DeleteCharacter => line.backspace(),
+        Action::DeleteForward => line.delete(),
+        Action::DeleteWord => line.delete_word(),
+        Action::ClearText => line.delete_to_start(),
+        _ => {}
+    }
+}
+
+pub(super) fn act_on_form(editing: &mut Editing, action: Action) {
+    match &mut editing.layer {
+        Some(Layer::Form(form)) if action == Action::NextField => form.on_note = !form.on_note,
+        _ => act_on_line(editing, action),
+    }
+}
+
+pub(super) fn act_on_input(editing: &mut Editing, action: Action) {
+    let is_new = editing.input.as_ref().is_some_and(|input| input.target == Target::NewMaterial);
+    let in_matrix = matches!(editing.layer, Some(Layer::Matrix(_)));
+    let by = match action {
+        Action::AcceptCell => 0,
+        Action::AcceptNext => 1,
+        Action::AcceptPrevious => -1,
+        _ => return act_on_line(editing, action),
+    };
+    if !editing.accept() || is_new {
+        return;
+    }
+    match (&mut editing.layer, by) {
+        (Some(Layer::Matrix(entry)), 0) if in_matrix => entry.move_by(1, 0),
+        (Some(Layer::Matrix(entry)), _) if in_matrix => entry.next(by),
+        (_, 0) => editing.move_rows(1),
+        (_, _) => editing.next_cell(by),
+    }
+}

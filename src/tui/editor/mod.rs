@@ -1,0 +1,81 @@
+//! The editor: a design's tables, solved again while they change.
+//!
+//! ```text
+//! key ─> edit of the text ─> reading ─┬─> tables, findings, side view
+//!                                     └─> job on the worker ─> spectra over those of the saved state
+//! ```
+//!
+//! One [`Editing`] a design, kept while the program runs. What the keys go to follows from its state
+//! ([`Editing::mode`]): a cell that is typed into, a layer over the table, or the table.
+
+mod cursor;
+mod editing;
+mod form;
+mod keys;
+mod line;
+mod rows;
+mod saving;
+mod solving;
+mod typing;
+mod update;
+mod view;
+
+use std::path::{Path, PathBuf};
+
+pub use cursor::Cursor;
+pub use editing::{Editing, Layer, List, Notice, shown_text};
+pub use form::Form;
+pub use line::Line;
+pub use solving::{Ghost, Pending, Solution, Solving, same_mechanics};
+pub use typing::{Choice, Entry, Input, Target};
+pub use view::{Place, Tab, View, ViewColumn, ViewRow};
+
+/// The designs that are being edited.
+#[derive(Debug)]
+pub struct Editors {
+    all: Vec<Editing>,
+    /// The one in sight
+    open: Option<PathBuf>,
+    /// The one whose text is being read
+    pub(super) opening: Option<PathBuf>,
+    /// Whether each edit is solved
+    pub live: bool,
+    /// The program ends once everything is saved.
+    pub(super) is_leaving: bool,
+}
+
+impl Default for Editors {
+    fn default() -> Self {
+        Self { all: Vec::new(), open: None, opening: None, live: true, is_leaving: false }
+    }
+}
+
+impl Editors {
+    /// The design whose tables are in sight.
+    pub fn open(&self) -> Option<&Editing> {
+        self.open.as_deref().and_then(|path| self.get(path))
+    }
+
+    pub fn open_mut(&mut self) -> Option<&mut Editing> {
+        let path = self.open.clone()?;
+        self.get_mut(&path)
+    }
+
+    pub fn get(&self, path: &Path) -> Option<&Editing> {
+        self.all.iter().find(|editing| editing.path == path)
+    }
+
+    pub fn get_mut(&mut self, path: &Path) -> Option<&mut Editing> {
+        self.all.iter_mut().find(|editing| editing.path == path)
+    }
+
+    /// A design is no longer where it was.
+    pub(super) fn forget(&mut self, path: &Path) {
+        self.all.retain(|editing| editing.path != path);
+    }
+
+    /// Those with edits that are not saved.
+    pub fn unsaved(&self) -> impl Iterator<Item = &Editing> {
+        self.all.iter().filter(|editing| editing.is_modified())
+    }
+}

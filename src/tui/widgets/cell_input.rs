@@ -1,0 +1,61 @@
+//! A value while it is typed, over its cell, with what is wrong with it.
+//!
+//! ```text
+//!    [7.5e8 N/m▏   ]
+//!    unknown unit `x`; accepted: N/m, N/mm
+//! ```
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
+use unicode_width::UnicodeWidthStr;
+
+use crate::text::{cut, printable, wrap};
+use crate::tui::editor::{Input, Line};
+use crate::tui::theme::Theme;
+
+/// Narrowest box, so that there is room for a unit.
+const NARROWEST: u16 = 18;
+
+/// Draws the box over `cell`, inside of `area`; returns where the cursor stands.
+pub fn render(input: &Input, cell: Rect, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Position {
+    let width = cell.width.max(NARROWEST).min(area.width);
+    let x = cell.x.min(area.right().saturating_sub(width));
+    let place = Rect { x, y: cell.y, width, height: 1 };
+    let cursor = draw_line(&input.line, theme, place, buffer);
+    if let Some(error) = &input.error {
+        draw_error(error, place, theme, area, buffer);
+    }
+    cursor
+}
+
+/// Draws a line in brackets; returns where the cursor stands.
+pub fn draw_line(line: &Line, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Position {
+    let room = usize::from(area.width).saturating_sub(2);
+    let (shown, cursor) = line.window(room);
+    let gap = " ".repeat(room.saturating_sub(shown.width()));
+    buffer.set_stringn(area.x, area.y, format!("[{shown}{gap}]"), usize::from(area.width), theme.title);
+    let x = area.x + (1 + cursor as u16).min(area.width.saturating_sub(1));
+    Position::new(x, area.y)
+}
+
+/// Beside the box if there is room, else below or above it.
+fn draw_error(error: &str, place: Rect, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let text = format!(" {} {} ", theme.glyphs.broken, printable(error));
+    let beside = usize::from(area.right().saturating_sub(place.right()));
+    if text.width() <= beside {
+        buffer.set_stringn(place.right(), place.y, text, beside, theme.error);
+        return;
+    }
+    let width = usize::from(area.width);
+    let lines: Vec<String> = wrap(text.trim(), width.saturating_sub(2)).into_iter().take(3).collect();
+    let widest = lines.iter().map(|line| line.width()).max().unwrap_or(0) + 2;
+    let x = place.x.min(area.right().saturating_sub(widest as u16)).max(area.x);
+    let below = place.y + 1 + lines.len() as u16 <= area.bottom();
+    let first = if below { place.y + 1 } else { place.y.saturating_sub(lines.len() as u16) };
+    for (line, y) in lines.iter().zip(first..area.bottom()) {
+        if y >= area.y {
+            let line = format!(" {} ", cut(line, width.saturating_sub(2), theme.glyphs.ellipsis));
+            buffer.set_stringn(x, y, format!("{line:<widest$}"), width, theme.error);
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The tables of a design, with their keys.
+//!
+//! ```text
+//!  1 segments [2 bearings] 3 bodies  4 mesh  5 drives  6 analysis  7 materials  8 design
+//! ```
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::tui::editor::Tab;
+use crate::tui::theme::Theme;
+
+/// Draws a line with all tables; names are shortened where there is little room.
+pub fn render(now: Tab, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let width = usize::from(area.width);
+    let line = |longest: usize| -> Vec<(String, bool)> {
+        let tabs = Tab::ALL.into_iter().enumerate().map(|(at, tab)| {
+            let title = tab.title();
+            let title = if tab == now { title } else { &title[..title.len().min(longest)] };
+            (format!("{} {title}", at + 1), tab == now)
+        });
+        tabs.collect()
+    };
+    // each has a place in front of it, and the last one behind
+    let needed = |tabs: &[(String, bool)]| tabs.iter().map(|(text, _)| text.len() + 1).sum::<usize>() + 1;
+    let lines = [usize::MAX, 4, 3, 0].map(line);
+    let Some(tabs) = lines.iter().find(|tabs| needed(tabs) <= width).or(lines.last()) else { return };
+    let mut x = area.x;
+    let mut after = " ";
+    for (text, is_now) in tabs {
+        let before = if *is_now { "[" } else { after };
+        after = if *is_now { "]" } else { " " };
+        let room = usize::from(area.right().saturating_sub(x));
+        let style = if *is_now { theme.title } else { theme.faint };
+        x = buffer.set_stringn(x, area.y, before, room, theme.title).0;
+        let room = usize::from(area.right().saturating_sub(x));
+        x = buffer.set_stringn(x, area.y, text, room, style).0;
+    }
+    buffer.set_stringn(x, area.y, after, usize::from(area.right().saturating_sub(x)), theme.title);
+}
