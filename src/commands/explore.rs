@@ -46,7 +46,7 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
 fn no_such(path: &Path) -> String {
     const ALIKE: f64 = 0.6;
     let shown = path.display().to_string();
-    let commands = ["solve", "modes", "check", "inspect"];
+    let commands = ["solve", "modes", "check", "inspect", "compare", "keys"];
     let alike = |command: &&str| strsim::normalized_damerau_levenshtein(&shown, command) >= ALIKE;
     let hint = commands.into_iter().find(alike);
     let hint = hint.map(|command| format!("; did you mean the command `{command}`?")).unwrap_or_default();
