@@ -56,6 +56,7 @@
 //! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
 
 pub mod agreement;
+pub mod bearing;
 pub mod commands;
 pub mod comparison;
 pub mod design;
