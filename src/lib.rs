@@ -60,6 +60,7 @@ pub mod bearing;
 pub mod commands;
 pub mod comparison;
 pub mod design;
+pub mod gear;
 pub mod model;
 pub mod number;
 pub mod report;

@@ -61,12 +61,12 @@ fn weights(rotor: &RotorModel) -> Vec<f64> {
     rotor.mass.diagonal().iter().map(|mass| mass.sqrt()).collect()
 }
 
-/// Where the lumped coordinates stand among those of a model: the mesh station's six, then the drive, for both rotors.
+/// Where the lumped coordinates stand among those of a model: the mesh station's six, then the drive if any, for both rotors.
 fn lumped_places(model: &Model) -> Vec<Option<usize>> {
     let mut places = Vec::new();
     let mut at = 0;
     for rotor in model.rotors() {
-        let own = Motion::ALL.into_iter().map(|motion| rotor.at_mesh(motion)).chain([rotor.drive()]);
+        let own = Motion::ALL.into_iter().map(|motion| rotor.at_mesh(motion)).chain(rotor.drive().map(Some));
         places.extend(own.map(|place| place.map(|i| at + i)));
         at += rotor.coordinates.len();
     }

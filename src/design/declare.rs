@@ -99,6 +99,15 @@ macro_rules! words {
             }
         }
 
+        impl $crate::design::read::FromFile for Option<$name> {
+            fn from_file(
+                reader: &mut $crate::design::read::TableReader<'_>,
+                field: &'static $crate::design::schema::Field,
+            ) -> Self {
+                reader.is_written(field).then(|| $crate::design::read::FromFile::from_file(reader, field))
+            }
+        }
+
         impl $crate::design::read::FromFile for $name {
             fn from_file(
                 reader: &mut $crate::design::read::TableReader<'_>,

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use super::geometry::MeshGeometry;
 use super::rotor::RotorDesign;
 use super::schema::{Field, Kind, Limit, Presence, Written};
 use crate::units::Quantity;
@@ -32,6 +33,8 @@ tables! {
         /// Materials by name; `steel` is always there.
         pub materials: BTreeMap<String, Material> = "material",
             Kind::NamedTables(Material::TABLE), Presence::Default(Written::Empty);
+        /// Torque and speed of the pinion.
+        pub operating: Option<Operating> = "operating", Kind::Table(Operating::TABLE), Presence::Optional;
         /// The tooth mesh.
         pub mesh: Mesh = "mesh", Kind::Table(Mesh::TABLE), Presence::Required;
         /// The driving rotor.
@@ -46,13 +49,16 @@ tables! {
         kind: Kind::Whole(1, FORMAT),
         presence: Presence::Required,
     };
-    also Field {
-        name: "",
-        key: "operating",
-        doc: "Torque and speed of the pinion.",
-        kind: Kind::Unsupported { replaces: &[] },
-        presence: Presence::Optional,
-    };
+
+    /// The mean state that the gearbox runs in.
+    #[derive(Debug, Clone, Copy, PartialEq)]
+    pub struct Operating as "operating" {
+        /// Mean torque of the pinion; its size loads the bearings, the line of action says which way.
+        pub pinion_torque: Option<f64> = "pinion_torque_n_m", Kind::Number(Quantity::Torque, Limit::Any), Presence::Optional;
+        /// Speed of the pinion: marks the mesh frequency and its harmonics.
+        pub pinion_speed: Option<f64> = "pinion_speed_rpm",
+            Kind::Number(Quantity::Speed, Limit::NotNegative), Presence::Optional;
+    }
 
     /// The frequency lines, the damping and the beam theory.
     #[derive(Debug, Clone, PartialEq)]
@@ -106,17 +112,12 @@ tables! {
         pub transmission_error: f64 = "transmission_error_um",
             Kind::Number(Quantity::Deflection, Limit::Positive), Presence::Required;
         /// The mesh in the pinion's frame.
-        pub pinion: MeshVectors = "pinion", Kind::Table(MeshVectors::TABLE), Presence::Required;
+        pub pinion: MeshVectors = "pinion", Kind::Table(MeshVectors::TABLE), Presence::Unless("geometry");
         /// The mesh in the gear's frame.
-        pub gear: MeshVectors = "gear", Kind::Table(MeshVectors::TABLE), Presence::Required;
+        pub gear: MeshVectors = "gear", Kind::Table(MeshVectors::TABLE), Presence::Unless("geometry");
+        /// Gear data in place of the mesh vectors, which follow from them.
+        pub geometry: Option<MeshGeometry> = "geometry", Kind::Table(MeshGeometry::TABLE), Presence::Optional;
     }
-    also Field {
-        name: "",
-        key: "geometry",
-        doc: "Gear data in place of the mesh vectors.",
-        kind: Kind::Unsupported { replaces: &["pinion", "gear"] },
-        presence: Presence::Optional,
-    };
 
     /// Mesh point and line of action in one shaft's own frame (x, y along the shaft, z).
     #[derive(Debug, Clone, Copy, PartialEq)]

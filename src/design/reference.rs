@@ -59,13 +59,9 @@ fn allowed(field: &Field) -> String {
         Kind::Tables(table, least) => format!("a list of tables, at least {least}, see {}", table.name),
         Kind::NamedTables(table) => format!("tables by name, see {}", table.name),
         Kind::Variant(variants) => {
-            let word = |supported: bool| {
-                let chosen = variants.iter().filter(|variant| variant.table.is_some() == supported);
-                chosen.map(|variant| variant.word).collect::<Vec<_>>()
-            };
-            format!("{}, each with keys of its own; not supported yet: {}", list(&word(true)), list(&word(false)))
+            let words: Vec<&str> = variants.iter().map(|variant| variant.word).collect();
+            format!("{}, each with keys of its own", list(&words))
         }
-        Kind::Unsupported { .. } => "not supported yet".into(),
     }
 }
 
@@ -79,6 +75,7 @@ fn left_out(field: &Field) -> String {
     };
     match field.presence {
         Presence::Required => "must be there".into(),
+        Presence::Unless(other) => format!("must be there, unless `{other}` is"),
         Presence::Optional => "-".into(),
         Presence::Default(value) => written(value),
         Presence::DefaultIn(name, value) => format!("{} in `{name}`, must be there in others", written(value)),

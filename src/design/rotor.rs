@@ -1,5 +1,6 @@
 //! One shaft of a design and what sits on it, in SI units. Declared like the rest of the [model](super::model).
 
+use super::rolling::{BallBearing, RollerBearing};
 use super::schema::{Kind, Limit, Presence, Variant, Written};
 use crate::units::Quantity;
 
@@ -22,8 +23,8 @@ tables! {
         pub bodies: Vec<Body> = "body", Kind::Tables(Body::TABLE, 0), Presence::Default(Written::Empty);
         /// Bearings of the shaft.
         pub bearings: Vec<Bearing> = "bearing", Kind::Tables(Bearing::TABLE, 1), Presence::Required;
-        /// Engine (pinion) or load (gear).
-        pub drive: Drive = "drive", Kind::Table(Drive::TABLE), Presence::Required;
+        /// Engine (pinion) or load (gear); without it the shaft's end turns freely.
+        pub drive: Option<Drive> = "drive", Kind::Table(Drive::TABLE), Presence::Optional;
     }
 
     /// A cylindrical piece of a shaft.
@@ -129,16 +130,20 @@ pub enum BearingModel {
     Matrix([[f64; 6]; 6]),
     /// Translations that are held.
     Rigid(Hold),
+    /// Balls between two grooves, at a mean state.
+    Ball(BallBearing),
+    /// Rollers between two raceways, at a mean state.
+    Roller(RollerBearing),
 }
 
 impl BearingModel {
     /// The words of `model` and the keys that come with each.
     pub const VARIANTS: &'static [Variant] = &[
-        Variant { word: "diagonal", table: Some(DiagonalBearing::TABLE) },
-        Variant { word: "matrix", table: Some(MatrixBearing::TABLE) },
-        Variant { word: "rigid", table: Some(RigidBearing::TABLE) },
-        Variant { word: "ball", table: None },
-        Variant { word: "roller", table: None },
+        Variant { word: "diagonal", table: DiagonalBearing::TABLE },
+        Variant { word: "matrix", table: MatrixBearing::TABLE },
+        Variant { word: "rigid", table: RigidBearing::TABLE },
+        Variant { word: "ball", table: BallBearing::TABLE },
+        Variant { word: "roller", table: RollerBearing::TABLE },
     ];
 
     /// The word of design files.
@@ -147,6 +152,8 @@ impl BearingModel {
             Self::Diagonal(_) => "diagonal",
             Self::Matrix(_) => "matrix",
             Self::Rigid(_) => "rigid",
+            Self::Ball(_) => "ball",
+            Self::Roller(_) => "roller",
         }
     }
 }

@@ -61,16 +61,14 @@ pub enum Kind {
     NamedTables(&'static Table),
     /// A word that decides which further keys the same table has
     Variant(&'static [Variant]),
-    /// Recognised, but designs with it are not supported yet. It would stand in for these other keys.
-    Unsupported { replaces: &'static [&'static str] },
 }
 
 /// One choice of a [`Kind::Variant`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variant {
     pub word: &'static str,
-    /// Its own keys, beside the common ones; nothing where the choice is recognised but not supported yet
-    pub table: Option<&'static Table>,
+    /// Its own keys, beside the common ones
+    pub table: &'static Table,
 }
 
 /// Which numbers are allowed.
@@ -89,6 +87,8 @@ pub enum Limit {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Presence {
     Required,
+    /// Required unless the table has the other key; both at once are an error.
+    Unless(&'static str),
     /// May be missing, and then there is no value.
     Optional,
     /// Has this value.
@@ -121,7 +121,7 @@ impl Table {
             Kind::Variant(variants) => variants,
             _ => &[],
         };
-        let chosen = self.fields.iter().flat_map(chosen).filter_map(|variant| variant.table);
+        let chosen = self.fields.iter().flat_map(chosen).map(|variant| variant.table);
         self.fields.iter().chain(chosen.flat_map(|table| table.fields))
     }
 
@@ -189,7 +189,7 @@ impl Field {
     pub fn tables(&self) -> Vec<&'static Table> {
         match self.kind {
             Kind::Table(table) | Kind::Tables(table, _) | Kind::NamedTables(table) => vec![table],
-            Kind::Variant(variants) => variants.iter().filter_map(|variant| variant.table).collect(),
+            Kind::Variant(variants) => variants.iter().map(|variant| variant.table).collect(),
             _ => Vec::new(),
         }
     }

@@ -30,7 +30,8 @@ impl RotorDesign {
         // a position at the end may miss it by the rounding of a sum of lengths
         let bodies = self.bodies.iter().map(|body| body.position);
         let bearings = self.bearings.iter().map(|bearing| bearing.position);
-        let others = bodies.chain(bearings).chain([self.mesh_position, self.drive.position]);
+        let others = bodies.chain(bearings).chain([self.mesh_position]);
+        let others = others.chain(self.drive.map(|drive| drive.position));
         positions.extend(others.map(|position| position.max(0.0).min(start)));
         positions.retain(|position| position.is_finite());
         positions.sort_by(f64::total_cmp);

@@ -2,19 +2,19 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::mesh::{mesh_vector, signed};
 use super::{Coordinate, Place, RotorModel};
 use crate::design::{Design, Side};
-use crate::rotor::{Motion, Rotor, ShaftMatrices};
+use crate::rotor::{Motion, Rotor, ShaftMatrices, mesh_vector, signed};
 
-/// Free coordinates of all stations in order, then the drive's rotation.
+/// Free coordinates of all stations in order, then the drive's rotation where there is a drive.
 pub fn rotor(design: &Design, rotor: &Rotor, side: Side) -> RotorModel {
     let input = design.rotor(side);
     let shaft = ShaftMatrices::new(input, &rotor.stations, &rotor.supports);
     let kept: Vec<usize> = (0..shaft.free.len()).filter(|&i| shaft.free[i]).collect();
     let n = kept.len();
-    let mut stiffness = DMatrix::zeros(n + 1, n + 1);
-    let mut mass = DMatrix::zeros(n + 1, n + 1);
+    let size = n + usize::from(input.drive.is_some());
+    let mut stiffness = DMatrix::zeros(size, size);
+    let mut mass = DMatrix::zeros(size, size);
     for (row, &i) in kept.iter().enumerate() {
         for (column, &j) in kept.iter().enumerate() {
             stiffness[(row, column)] = shaft.stiffness[(i, j)];
@@ -23,20 +23,25 @@ pub fn rotor(design: &Design, rotor: &Rotor, side: Side) -> RotorModel {
     }
     let mesh_station = rotor.stations.mesh;
     let h = signed(side) * mesh_vector(design.mesh.vectors(side));
-    let mut mesh = DVector::zeros(n + 1);
-    let mut coordinates = Vec::with_capacity(n + 1);
+    let mut mesh = DVector::zeros(size);
+    let mut coordinates = Vec::with_capacity(size);
     for (row, &i) in kept.iter().enumerate() {
         let (station, motion) = (i / 6, i % 6);
         if station == mesh_station {
             mesh[row] = h[motion];
         }
-        if station == rotor.stations.drive && Motion::ALL[motion] == Motion::ThY {
-            join_drive(&mut stiffness, row, n, input.drive.torsional_stiffness);
+        if let Some(drive) = input.drive
+            && rotor.stations.drive == Some(station)
+            && Motion::ALL[motion] == Motion::ThY
+        {
+            join_drive(&mut stiffness, row, n, drive.torsional_stiffness);
         }
         coordinates.push(Coordinate { place: Place::Station(station), motion: Motion::ALL[motion] });
     }
-    mass[(n, n)] = input.drive.inertia;
-    coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+    if let Some(drive) = input.drive {
+        mass[(n, n)] = drive.inertia;
+        coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+    }
     RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station }
 }
 

@@ -2,10 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::mesh::{mesh_vector, signed};
 use super::{Coordinate, Place, RotorModel, fe};
 use crate::design::{Design, Side};
-use crate::rotor::{Motion, Rotor};
+use crate::rotor::{Motion, Rotor, mesh_vector, signed};
 
 /// Where a lumped model takes its masses from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,26 +30,29 @@ impl LumpedMass {
     }
 }
 
-/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation.
+/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation where there is a drive.
 pub fn rotor(design: &Design, rotor: &Rotor, side: Side, masses: LumpedMass) -> RotorModel {
     const SHAFT_ROTATION: usize = 4;
     const DRIVE: usize = 6;
     let input = design.rotor(side);
-    let mut stiffness = DMatrix::zeros(7, 7);
+    let size = DRIVE + usize::from(input.drive.is_some());
+    let mut stiffness = DMatrix::zeros(size, size);
     stiffness.fixed_view_mut::<6, 6>(0, 0).copy_from(&rotor.statics.shaft_bearing_stiffness);
-    // the shaft's own torsion lies in series: without it the low-frequency response would be wrong
-    let spring = 1.0 / (1.0 / input.drive.torsional_stiffness + rotor.stations.torsional_compliance());
-    fe::join_drive(&mut stiffness, SHAFT_ROTATION, DRIVE, spring);
-    let mut mass = DMatrix::zeros(7, 7);
+    let mut mass = DMatrix::zeros(size, size);
     for (i, value) in masses.diagonal(rotor).into_iter().enumerate() {
         mass[(i, i)] = value;
     }
-    mass[(DRIVE, DRIVE)] = input.drive.inertia;
-    let mut mesh = DVector::zeros(7);
+    let mut mesh = DVector::zeros(size);
     mesh.fixed_rows_mut::<6>(0).copy_from(&(signed(side) * mesh_vector(design.mesh.vectors(side))));
     let station = Place::Station(0);
     let mut coordinates: Vec<Coordinate> =
         Motion::ALL.into_iter().map(|motion| Coordinate { place: station, motion }).collect();
-    coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+    if let Some(drive) = input.drive {
+        // the shaft's own torsion lies in series: without it the low-frequency response would be wrong
+        let spring = 1.0 / (1.0 / drive.torsional_stiffness + rotor.stations.torsional_compliance());
+        fe::join_drive(&mut stiffness, SHAFT_ROTATION, DRIVE, spring);
+        mass[(DRIVE, DRIVE)] = drive.inertia;
+        coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+    }
     RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station: 0 }
 }

@@ -5,13 +5,13 @@
 
 mod fe;
 mod lumped;
-mod mesh;
 
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
 pub use lumped::LumpedMass;
-pub use mesh::mesh_vector;
+pub use crate::rotor::mesh_vector;
+
 
 use crate::design::{DampingModel, Design, Side};
 use crate::rotor::{Motion, Rotor, RotorError};
@@ -181,8 +181,20 @@ impl Rotors {
     ///
     /// [`RotorsError`] names the rotor that cannot be built or is not held.
     pub fn new(design: &Design) -> Result<Self, RotorsError> {
-        let build = |side, rotor| Rotor::new(design, rotor).map_err(|error| RotorsError { side, error });
-        Ok(Self { pinion: build(Side::Pinion, &design.pinion)?, gear: build(Side::Gear, &design.gear)? })
+        Self::reusing(design, None)
+    }
+
+    /// As [`new`](Self::new); mean states of bearings are taken over from earlier rotors where nothing that they depend on differs.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    pub fn reusing(design: &Design, earlier: Option<&Self>) -> Result<Self, RotorsError> {
+        let build = |side| {
+            let earlier = earlier.map(|rotors| &rotors.get(side).mean_states);
+            Rotor::reusing(design, side, earlier).map_err(|error| RotorsError { side, error })
+        };
+        Ok(Self { pinion: build(Side::Pinion)?, gear: build(Side::Gear)? })
     }
 
     pub fn get(&self, side: Side) -> &Rotor {

@@ -5,6 +5,9 @@ mod beam;
 mod bending;
 mod count;
 mod initial_parameter;
+mod mean_shaft;
+mod mean_states;
+mod mesh;
 mod plane;
 mod root;
 mod section;
@@ -17,13 +20,16 @@ mod transfer;
 pub use assembly::ShaftMatrices;
 pub use beam::ElementMatrix;
 pub use bending::Bending;
+pub use mean_states::{MeanStates, Rolling};
+pub use mesh::{mesh_vector, signed};
 pub use section::Section;
 pub use statics::Statics;
 pub use stations::Stations;
 pub use supports::{Support, Supports};
 pub use totals::Totals;
 
-use crate::design::{Design, MAX_STATIONS, RotorDesign};
+use crate::bearing;
+use crate::design::{Design, MAX_STATIONS, Side};
 
 /// Motion of a station's six coordinates, in their order; y is along the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -62,10 +68,37 @@ pub enum RotorError {
          clear what rests on it"
     )]
     HousingAmbiguous,
+    #[error("bearing \"{}\": {error}", name.escape_debug())]
+    Bearing { name: String, error: BearingError },
+    #[error(
+        "SINGULAR: even with all rolling elements in contact nothing holds it {}; a bearing with a contact angle or with stiffness of its own \
+         is wanted there", motions(.0)
+    )]
+    Singular(Vec<Motion>),
+    #[error(
+        "UNSUPPORTED_LOAD: bearing \"{}\" gives way under the mean mesh load of {:.4e}, {:.4e} and {:.4e} N in x, y and z; its thrust \
+         points the unloaded way, or a bearing against it is missing", name.escape_debug(), load[0], load[1], load[2]
+    )]
+    GivesWay { name: String, load: [f64; 6] },
+    #[error("NO_CONVERGENCE: no mean state was found; the mesh load is balanced to {residual:.1e} of its size only")]
+    NoConvergence { residual: f64 },
     #[error("the {0} is too large or too small to compute with")]
     NotFinite(&'static str),
     #[error("the {0} cannot be factorised: values lie too many orders of magnitude apart")]
     IllConditioned(&'static str),
+}
+
+/// What is wrong with one ball or roller bearing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BearingError {
+    #[error(transparent)]
+    BadInput(#[from] bearing::BadInput),
+    #[error(transparent)]
+    Equilibrium(#[from] bearing::EquilibriumError),
+    #[error("exactly one of displacement, preload and mean_load is wanted")]
+    NoMeanState,
+    #[error("a mean load from torque needs pinion_torque_n_m in [operating], and a line of action that does not meet the pinion's axis")]
+    NoTorque,
 }
 
 /// In words, for "nothing holds it ...".
@@ -97,6 +130,8 @@ fn cure(motions: &[Motion]) -> &'static str {
 pub struct Rotor {
     pub stations: Stations,
     pub supports: Supports,
+    /// Of the ball and roller bearings
+    pub mean_states: MeanStates,
     pub totals: Totals,
     pub statics: Statics,
     /// First bending mode in the x-y plane (x, thz)
@@ -111,14 +146,25 @@ impl Rotor {
     /// # Errors
     ///
     /// [`RotorError`] where the shaft is not held, has too many stations, or its numbers overflow.
-    pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
+    pub fn new(design: &Design, side: Side) -> Result<Self, RotorError> {
+        Self::reusing(design, side, None)
+    }
+
+    /// As [`new`](Self::new); the mean states of its bearings are taken over where nothing that they depend on differs.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    pub fn reusing(design: &Design, side: Side, earlier: Option<&MeanStates>) -> Result<Self, RotorError> {
+        let rotor = design.rotor(side);
         let stations = Stations::new(design, rotor)?;
-        let supports = Supports::new(rotor)?;
+        let mean_states = MeanStates::new(design, side, &stations.coarsened(), earlier)?;
+        let supports = Supports::new(rotor, &mean_states)?;
         assembly::check_supported(&stations, &supports)?;
         let totals = Totals::new(rotor, &stations);
         let coarse = stations.coarsened();
         let statics = Statics::new(rotor, &coarse, &supports)?;
         let [bending_x, bending_z] = bending::in_both_planes(rotor, &coarse, &supports, &statics)?;
-        Ok(Self { stations, supports, totals, statics, bending_x, bending_z })
+        Ok(Self { stations, supports, mean_states, totals, statics, bending_x, bending_z })
     }
 }

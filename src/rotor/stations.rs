@@ -12,8 +12,8 @@ pub struct Stations {
     pub sections: Vec<Section>,
     /// Station of the mesh: the lumped point
     pub mesh: usize,
-    /// Station where the drive's spring acts
-    pub drive: usize,
+    /// Station where the drive's spring acts; nothing where there is no drive
+    pub drive: Option<usize>,
     /// Station of each body, in the design's order
     pub bodies: Vec<usize>,
     /// Station of each bearing, in the design's order
@@ -42,7 +42,7 @@ impl Stations {
         }
         let bodies = rotor.bodies.iter().map(|body| body.position);
         let bearings = rotor.bearings.iter().map(|bearing| bearing.position);
-        let mut others = bodies.chain(bearings).chain([rotor.mesh_position, rotor.drive.position]);
+        let mut others = bodies.chain(bearings).chain([rotor.mesh_position]).chain(rotor.drive.map(|drive| drive.position));
         let on_shaft = -SAME_STATION..=length + SAME_STATION;
         if let Some(position) = others.find(|position| !on_shaft.contains(position)) {
             return Err(RotorError::OffShaft { position_mm: position * 1e3, length_mm: length * 1e3 });
@@ -60,7 +60,7 @@ impl Stations {
         };
         Ok(Self {
             mesh: station(rotor.mesh_position),
-            drive: station(rotor.drive.position),
+            drive: rotor.drive.map(|drive| station(drive.position)),
             bodies: rotor.bodies.iter().map(|body| station(body.position)).collect(),
             bearings: rotor.bearings.iter().map(|bearing| station(bearing.position)).collect(),
             sections,
@@ -86,7 +86,7 @@ impl Stations {
     pub fn coarsened(&self) -> Self {
         let last = self.count() - 1;
         let occupied =
-            |i: usize| i == self.mesh || i == self.drive || self.bodies.contains(&i) || self.bearings.contains(&i);
+            |i: usize| i == self.mesh || Some(i) == self.drive || self.bodies.contains(&i) || self.bearings.contains(&i);
         let kept: Vec<usize> = (0..=last)
             .filter(|&i| i == 0 || i == last || self.sections[i - 1] != self.sections[i] || occupied(i))
             .collect();
@@ -95,15 +95,16 @@ impl Stations {
             positions: kept.iter().map(|&i| self.positions[i]).collect(),
             sections: kept[..kept.len() - 1].iter().map(|&i| self.sections[i]).collect(),
             mesh: renumber(self.mesh),
-            drive: renumber(self.drive),
+            drive: self.drive.map(renumber),
             bodies: self.bodies.iter().map(|&i| renumber(i)).collect(),
             bearings: self.bearings.iter().map(|&i| renumber(i)).collect(),
         }
     }
 
-    /// Torsional compliance of the shaft between the mesh and the drive, rad/(N m).
+    /// Torsional compliance of the shaft between the mesh and the drive, rad/(N m); 0 without a drive.
     pub fn torsional_compliance(&self) -> f64 {
-        let (from, to) = (self.mesh.min(self.drive), self.mesh.max(self.drive));
+        let drive = self.drive.unwrap_or(self.mesh);
+        let (from, to) = (self.mesh.min(drive), self.mesh.max(drive));
         (from..to).map(|i| self.piece_length(i) / self.sections[i].torsional_stiffness).sum()
     }
 }

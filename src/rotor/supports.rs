@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 
-use super::RotorError;
+use super::{MeanStates, Rolling, RotorError};
+use crate::bearing::{Matrix, frames};
 use crate::design::{Bearing, BearingModel, RotorDesign};
 
 /// Index of the axial direction y in the six coordinates of a station.
@@ -42,13 +43,23 @@ impl Supports {
     /// # Errors
     ///
     /// Kc on a bearing that holds y, or Khb with rigid and elastic axial supports mixed or with two rigid ones.
-    pub fn new(rotor: &RotorDesign) -> Result<Self, RotorError> {
-        let bearings = rotor.bearings.iter().map(support).collect::<Result<Vec<_>, _>>()?;
+    pub fn new(rotor: &RotorDesign, mean_states: &MeanStates) -> Result<Self, RotorError> {
+        let stiffness = |(bearing, state): (&Bearing, &Option<Rolling>)| {
+            in_series(bearing, own_stiffness(bearing, state.as_ref().map(|state| &state.state.stiffness)))
+        };
+        let bearings = rotor.bearings.iter().zip(&mean_states.bearings).map(stiffness).collect::<Result<Vec<_>, _>>()?;
         let housing = match rotor.housing_axial_stiffness {
             None => Housing::Stiff,
             Some(bolt) => housing(&bearings, bolt)?,
         };
         Ok(Self { bearings, housing })
+    }
+
+    /// The bearings alone, without Kc and Khb, as the mean state knows them; ball and roller bearings with the stiffness that
+    /// `rolling` gives for their place.
+    pub fn of_mean_state(rotor: &RotorDesign, rolling: impl Fn(usize) -> Option<Matrix>) -> Self {
+        let support = |(place, bearing): (usize, &Bearing)| own_stiffness(bearing, rolling(place).as_ref());
+        Self { bearings: rotor.bearings.iter().enumerate().map(support).collect(), housing: Housing::Stiff }
     }
 
     /// Whether a bearing holds the translation (0, 1, 2 for x, y, z) of its station.
@@ -81,7 +92,8 @@ impl Supports {
     }
 }
 
-fn support(bearing: &Bearing) -> Result<Support, RotorError> {
+/// The bearing before Kc.
+fn own_stiffness(bearing: &Bearing, rolling: Option<&Matrix>) -> Support {
     let mut held = [false; 3];
     let mut stiffness = Matrix6::zeros();
     match &bearing.model {
@@ -90,15 +102,23 @@ fn support(bearing: &Bearing) -> Result<Support, RotorError> {
         }
         BearingModel::Matrix(rows) => stiffness = Matrix6::from_fn(|i, j| rows[i][j]),
         BearingModel::Rigid(hold) => held = [hold.x, hold.y, hold.z],
+        BearingModel::Ball(_) | BearingModel::Roller(_) => {
+            stiffness = rolling.map_or_else(Matrix6::zeros, frames::stiffness_to_station);
+        }
     }
+    Support { name: bearing.name.clone(), stiffness, held }
+}
+
+fn in_series(bearing: &Bearing, mut support: Support) -> Result<Support, RotorError> {
+    let Support { stiffness, held, .. } = &mut support;
     if let Some(series) = bearing.axial_series_stiffness {
         if held[AXIAL] {
             return Err(RotorError::SeriesOnRigid(bearing.name.clone()));
         }
         let column: Vector6<f64> = stiffness.column(AXIAL).into();
-        stiffness -= column * column.transpose() / (stiffness[(AXIAL, AXIAL)] + series);
+        *stiffness -= column * column.transpose() / (stiffness[(AXIAL, AXIAL)] + series);
     }
-    Ok(Support { name: bearing.name.clone(), stiffness, held })
+    Ok(support)
 }
 
 fn housing(bearings: &[Support], bolt: f64) -> Result<Housing, RotorError> {

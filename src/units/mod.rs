@@ -28,12 +28,26 @@ pub enum Quantity {
     Density,
     /// No unit: ratios and components of unit vectors
     Ratio,
+    /// deg
+    Angle,
+    /// mrad, tilts of bearing rings
+    Tilt,
+    /// N
+    Force,
+    /// N m
+    Torque,
+    /// rpm; rad/s in SI
+    Speed,
+    /// N/m^(3/2), balls on their raceways
+    BallContact,
+    /// N/m^(10/9), rollers on their raceways
+    RollerContact,
     /// Loss factor, or seconds where the damping is viscous: the design's damping model decides, so no unit in the key
     Damping,
 }
 
-/// How a unit relates to the SI unit: a power of ten that a double holds exactly, so that one rounding is all there is
-/// (42 mm becomes the same double as 0.042).
+/// How a unit relates to the SI unit: where it can be, a power of ten that a double holds exactly, so that one rounding is all
+/// there is (42 mm becomes the same double as 0.042).
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Scale {
     One,
@@ -43,7 +57,7 @@ enum Scale {
 
 impl Quantity {
     /// Every quantity, for tables of units.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 18] = [
         Self::Length,
         Self::Deflection,
         Self::Frequency,
@@ -53,6 +67,13 @@ impl Quantity {
         Self::AngularStiffness,
         Self::ElasticModulus,
         Self::Density,
+        Self::Angle,
+        Self::Tilt,
+        Self::Force,
+        Self::Torque,
+        Self::Speed,
+        Self::BallContact,
+        Self::RollerContact,
         Self::Ratio,
         Self::Damping,
     ];
@@ -68,6 +89,13 @@ impl Quantity {
             Self::AngularStiffness => ("_n_m_per_rad", "N m/rad", Scale::One),
             Self::ElasticModulus => ("_gpa", "GPa", Scale::Times(1e9)),
             Self::Density => ("_kg_per_m3", "kg/m^3", Scale::One),
+            Self::Angle => ("_deg", "deg", Scale::Times(std::f64::consts::PI / 180.0)),
+            Self::Tilt => ("_mrad", "mrad", Scale::Over(1e3)),
+            Self::Force => ("_n", "N", Scale::One),
+            Self::Torque => ("_n_m", "N m", Scale::One),
+            Self::Speed => ("_rpm", "rpm", Scale::Times(std::f64::consts::PI / 30.0)),
+            Self::BallContact => ("_n_per_m_1_5", "N/m^1.5", Scale::One),
+            Self::RollerContact => ("_n_per_m_10_9", "N/m^(10/9)", Scale::One),
             Self::Ratio | Self::Damping => ("", "", Scale::One),
         }
     }

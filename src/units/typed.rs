@@ -85,6 +85,13 @@ const fn example(quantity: Quantity) -> &'static str {
         Quantity::AngularStiffness => "1.5e5 or 150 kN m/rad",
         Quantity::ElasticModulus => "206 or 206000 MPa",
         Quantity::Density => "7850 or 7.85 g/cm^3",
+        Quantity::Angle => "40 or 0.7 rad",
+        Quantity::Tilt => "0.5 or 0.0005 rad",
+        Quantity::Force => "5000 or 5 kN",
+        Quantity::Torque => "300 or 0.3 kN m",
+        Quantity::Speed => "1200 or 20 Hz",
+        Quantity::BallContact => "1.1e10 or 3.5e5 N/mm^1.5",
+        Quantity::RollerContact => "9.6e8 or 4.5e5 N/mm^(10/9)",
         Quantity::Ratio | Quantity::Damping => "0.03 or 3 %",
     }
 }

@@ -1,8 +1,11 @@
 //! Checks over several values of a design. None of them objects to the not-a-number that stands in for a value that could
 //! not be read, so they run on whatever was read.
 
+mod geometry;
 mod matrix;
 mod mesh;
+mod operating;
+mod rolling;
 mod rotor;
 mod stations;
 mod supports;
@@ -42,7 +45,9 @@ pub(super) fn check(design: &mut Design, root: &DeTable<'_>, findings: &Collecto
     analysis(&design.analysis, &top.key("analysis"), &checker);
     rotor::check(&mut design.pinion, &design.materials, &top.key("pinion"), &checker);
     rotor::check(&mut design.gear, &design.materials, &top.key("gear"), &checker);
+    geometry::check(design, &top.key("mesh").key("geometry"), &checker);
     mesh::check(design, &top.key("mesh"), &checker);
+    operating::check(design, &top, &checker);
 }
 
 fn analysis(analysis: &Analysis, path: &KeyPath, checker: &Checker<'_>) {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::{Checker, matrix, stations, supports};
+use super::{Checker, matrix, rolling, stations, supports};
 use crate::design::SAME_STATION;
 use crate::design::key_path::KeyPath;
 use crate::design::model::Material;
@@ -26,6 +26,9 @@ pub(super) fn check(
     check_positions(rotor, path, checker);
     stations::check(rotor, path, checker);
     supports::check(rotor, path, checker);
+    for (place, bearing) in rotor.bearings.iter().enumerate() {
+        rolling::check(bearing, &path.key("bearing").place(place), checker);
+    }
     for (place, bearing) in rotor.bearings.iter_mut().enumerate() {
         if let BearingModel::Matrix(stiffness) = &mut bearing.model {
             matrix::check(stiffness, &path.key("bearing").place(place).key("stiffness"), checker);
@@ -82,7 +85,7 @@ fn check_positions(rotor: &RotorDesign, path: &KeyPath, checker: &Checker<'_>) {
     }
     let bodies = rotor.bodies.iter().enumerate().map(|(i, body)| (path.key("body").place(i), body.position));
     let bearings = rotor.bearings.iter().enumerate().map(|(i, b)| (path.key("bearing").place(i), b.position));
-    let positions = bodies.chain(bearings).chain([(path.key("drive"), rotor.drive.position)]);
+    let positions = bodies.chain(bearings).chain(rotor.drive.map(|drive| (path.key("drive"), drive.position)));
     let positions = positions.map(|(path, position)| (path.key("position_mm"), position));
     for (path, position) in positions.chain([(path.key("mesh_position_mm"), rotor.mesh_position)]) {
         if position < -SAME_STATION || position > length + SAME_STATION {

@@ -19,6 +19,10 @@ fn axial(bearing: &Bearing) -> Axial {
         BearingModel::Rigid(_) => 0.0,
         BearingModel::Diagonal(diagonal) => diagonal.ky,
         BearingModel::Matrix(matrix) => matrix[1][1],
+        BearingModel::Ball(_) => return Axial::Elastic,
+        // not-a-number, which stands in for what could not be read, is an angle too
+        BearingModel::Roller(roller) if roller.contact_angle == 0.0 => 0.0,
+        BearingModel::Roller(_) => return Axial::Elastic,
     };
     if stiffness == 0.0 { Axial::Free } else { Axial::Elastic }
 }

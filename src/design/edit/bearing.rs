@@ -15,7 +15,36 @@ const SPRINGS: [(&str, usize); 5] =
 const STIFF: &str = "1.0e9";
 const NONE: &str = "0.0";
 
+/// What a ball or roller bearing starts with: sizes of a 35 x 72 mm bearing, under an axial preload.
+const TYPICAL: [(&str, &str, &str); 13] = [
+    ("ball", "elements", "12"),
+    ("ball", "contact_angle_deg", "40.0"),
+    ("ball", "ball_diameter_mm", "11.1125"),
+    ("ball", "pitch_diameter_mm", "53.5"),
+    ("ball", "inner_groove_factor", "0.52"),
+    ("ball", "outer_groove_factor", "0.52"),
+    ("ball", "preload", "{ y_n = 1000.0 }"),
+    ("roller", "elements", "17"),
+    ("roller", "contact_angle_deg", "20.0"),
+    ("roller", "pitch_radius_mm", "27.5"),
+    ("roller", "contact_stiffness_n_per_m_10_9", "9.6e8"),
+    ("roller", "roller_length_mm", "17.0"),
+    ("roller", "preload", "{ y_n = 5000.0 }"),
+];
+
+/// How the mean state of a bearing can be said.
+const MEAN_STATES: [&str; 3] = ["displacement", "preload", "mean_load"];
+
+/// The value of a key that a ball or roller bearing starts with; what the old model says stays.
+fn typical(word: &str, row: &Tree, key: &'static str) -> Option<(&'static str, String)> {
+    let is_said = row.get(key).is_some()
+        || MEAN_STATES.contains(&key) && MEAN_STATES.iter().any(|key| row.get(key).is_some());
+    let value = TYPICAL.iter().find(|typical| (typical.0, typical.1) == (word, key));
+    value.filter(|_| !is_said).map(|(.., value)| (key, (*value).to_owned()))
+}
+
 const STIFFNESS: &str = "stiffness";
+const PITCH_RADIUS: &str = "pitch_radius_mm";
 const HOLD: &str = "hold";
 const AXIAL_SERIES: &str = "axial_series_stiffness_n_per_m";
 
@@ -37,11 +66,15 @@ pub(super) fn set_model(steps: &mut Steps, bearing: &KeyPath, word: &str) -> Res
     }
     steps.put(&path, Spelled::text(word).as_str())?;
     let keys = new_keys(steps, bearing, &row, table);
-    let others = variants.iter().filter_map(|variant| variant.table).flat_map(|table| table.fields);
+    let others = variants.iter().flat_map(|variant| variant.table.fields);
     for key in others.map(|field| field.key).filter(|key| table.field(key).is_none() && row.get(key).is_some()) {
         if steps.tree().at(&bearing.key(key)).is_some() {
             steps.remove(&bearing.key(key))?;
         }
+    }
+    // a ball bearing starts from its geometry, which its radius follows from
+    if word == "ball" && row.get(PITCH_RADIUS).is_some() {
+        steps.remove(&bearing.key(PITCH_RADIUS))?;
     }
     let holds_y = keys.iter().any(|(key, value)| *key == HOLD && value.contains("\"y\""));
     for (key, value) in keys {
@@ -63,10 +96,9 @@ fn choice(bearing: &KeyPath) -> Option<(&'static Field, &'static [Variant])> {
 
 fn table_of(variants: &'static [Variant], word: &str) -> Result<&'static Table, EditError> {
     match variants.iter().find(|variant| variant.word == word) {
-        Some(Variant { table: Some(table), .. }) => Ok(table),
-        Some(_) => Err(EditError::Refused(format!("model \"{word}\" is not supported yet"))),
+        Some(Variant { table, .. }) => Ok(table),
         None => {
-            let words: Vec<&str> = variants.iter().filter(|v| v.table.is_some()).map(|v| v.word).collect();
+            let words: Vec<&str> = variants.iter().map(|v| v.word).collect();
             Err(EditError::Refused(format!("the model must be one of {}", words.join(", "))))
         }
     }
@@ -78,6 +110,7 @@ fn new_keys(steps: &Steps, bearing: &KeyPath, row: &Tree, table: &'static Table)
     let is_stiff = |i: usize| Tree::Value(diagonal[i].clone()).number().is_some_and(|stiffness| stiffness > 0.0);
     let held: Vec<&str> = Hold::WORDS.iter().enumerate().filter(|(i, _)| is_stiff(*i)).map(|(_, word)| *word).collect();
     let held = if held.is_empty() { Hold::WORDS.to_vec() } else { held };
+    let table_word = table.name.split(' ').next().unwrap_or_default();
     let value = |field: &'static Field| {
         if let Some((key, place)) = SPRINGS.iter().find(|(key, _)| *key == field.key) {
             return Some((*key, diagonal[*place].clone()));
@@ -88,6 +121,7 @@ fn new_keys(steps: &Steps, bearing: &KeyPath, row: &Tree, table: &'static Table)
                 let rows = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
                 Some((STIFFNESS, matrix(steps, bearing, &rows)))
             }
+            _ if TYPICAL.iter().any(|(word, ..)| *word == table_word) => typical(table_word, row, field.key),
             HOLD => Some((HOLD, Spelled::texts(held.iter().copied()).as_str().into())),
             key if row.get(key).is_some() => None,
             key => (field.presence == Presence::Required).then(|| (key, row::first(field))),

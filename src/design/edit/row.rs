@@ -94,6 +94,7 @@ pub(super) fn first(field: &Field) -> String {
         Kind::Number(..) => "1.0",
         Kind::Whole(low, _) => return low.to_string(),
         Kind::Word(words) => return Spelled::text(words.first().unwrap_or(&"")).as_str().into(),
+        Kind::Table(_) => return "{}".into(),
         Kind::Words(words) => return Spelled::texts(words.iter().copied()).as_str().into(),
         Kind::Vector(_) => "[0.0, 0.0, 0.0]",
         _ => "\"\"",

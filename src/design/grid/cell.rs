@@ -71,7 +71,7 @@ impl CellKind {
     pub fn words(self) -> Vec<&'static str> {
         match self {
             Self::Choice(words) | Self::Flags(words) => words.to_vec(),
-            Self::Model(variants) => variants.iter().filter(|v| v.table.is_some()).map(|v| v.word).collect(),
+            Self::Model(variants) => variants.iter().map(|v| v.word).collect(),
             _ => Vec::new(),
         }
     }

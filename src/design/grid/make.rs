@@ -110,8 +110,18 @@ fn cells_of_field(place: &At<'_>, field: &'static Field, in_row: bool) -> Vec<(b
             }));
             cells
         }
-        Kind::Table(table) if in_row => cells(&At { tree: written, path, place: 0, name: "" }, table, true),
-        Kind::Table(_) | Kind::Tables(..) | Kind::NamedTables(_) | Kind::Unsupported { .. } => Vec::new(),
+        Kind::Table(table) if in_row => {
+            let mut cells = cells(&At { tree: written, path, place: 0, name: "" }, table, true);
+            for (_, cell) in &mut cells {
+                // several tables have an x, and one that is left out has no values
+                cell.column.label = format!("{} {}", field.label(), cell.column.label);
+                if written.is_none() && field.presence == Presence::Optional {
+                    cell.shown = Shown::Nothing;
+                }
+            }
+            cells
+        }
+        Kind::Table(_) | Kind::Tables(..) | Kind::NamedTables(_) => Vec::new(),
     }
 }
 
@@ -126,7 +136,7 @@ fn chosen(place: &At<'_>, field: &Field, variants: &'static [Variant]) -> Option
             _ => None,
         },
     }?;
-    variants.iter().find(|variant| variant.word == word)?.table
+    Some(variants.iter().find(|variant| variant.word == word)?.table)
 }
 
 fn cell(column: Column, path: KeyPath, shown: Shown, kind: CellKind, required: bool) -> Cell {
@@ -145,7 +155,7 @@ pub(super) fn matrix_unit(row: usize, column: usize) -> &'static str {
 
 fn required(place: &At<'_>, field: &Field) -> bool {
     match field.presence {
-        Presence::Required => true,
+        Presence::Required | Presence::Unless(_) => true,
         Presence::DefaultIn(name, _) => name != place.name,
         Presence::Optional | Presence::Default(_) => false,
     }

@@ -1,7 +1,9 @@
 //! Which tables a design has.
 
 use crate::design::schema::{Kind, ROOT, Table};
-use crate::design::{Analysis, Bearing, Body, Drive, KeyPath, Material, Mesh, MeshVectors, RotorDesign, Segment, Side};
+use crate::design::{
+    Analysis, Bearing, Body, Drive, KeyPath, Material, Mesh, MeshGeometry, MeshVectors, Operating, RotorDesign, Segment, Side,
+};
 
 /// One table, or list of tables, of every design.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,6 +70,16 @@ impl Sheet {
 
     pub fn mesh_side(side: Side) -> Self {
         Self { path: Self::mesh().path.key(side.name()), shape: Shape::Single, table: MeshVectors::TABLE }
+    }
+
+    /// Gear data in place of both sides' vectors.
+    pub fn mesh_geometry() -> Self {
+        Self { path: Self::mesh().path.key("geometry"), shape: Shape::Single, table: MeshGeometry::TABLE }
+    }
+
+    /// Torque and speed.
+    pub fn operating() -> Self {
+        Self { path: KeyPath::root().key("operating"), shape: Shape::Single, table: Operating::TABLE }
     }
 
     /// The rotor's own keys.

@@ -2,6 +2,7 @@
 
 use super::table::{Found, FromFile, FromTable, TableReader};
 use super::{did_you_mean, written};
+use crate::design::rolling::{BallBearing, RollerBearing};
 use crate::design::rotor::{BearingModel, DiagonalBearing, Hold, MatrixBearing, RigidBearing};
 use crate::design::schema::{Field, Table, Written};
 
@@ -18,18 +19,19 @@ impl FromFile for BearingModel {
             "diagonal" => Self::Diagonal(DiagonalBearing::from_table(reader)),
             "matrix" => Self::Matrix(MatrixBearing::from_table(reader).stiffness),
             "rigid" => Self::Rigid(RigidBearing::from_table(reader).hold),
+            "ball" => Self::Ball(BallBearing::from_table(reader)),
+            "roller" => Self::Roller(RollerBearing::from_table(reader)),
             _ => STAND_IN,
         }
     }
 }
 
-/// The word and its keys; nothing, and reported, where it is unknown or not supported yet.
+/// The word and its keys; nothing, and reported, where it is unknown.
 fn chosen(reader: &TableReader<'_>, field: &'static Field) -> Option<(&'static str, &'static Table)> {
-    let supported =
-        |word: &str| BearingModel::VARIANTS.iter().filter(|v| v.word == word).find_map(|v| Some((v.word, v.table?)));
+    let known = |word: &str| BearingModel::VARIANTS.iter().find(|v| v.word == word).map(|v| (v.word, v.table));
     let value = match reader.look_up(field) {
         Found::Written(value) => value,
-        Found::Default(Written::Text(word)) => return supported(word),
+        Found::Default(Written::Text(word)) => return known(word),
         Found::Default(_) | Found::Nothing => return None,
     };
     let path = reader.path_of(field);
@@ -38,23 +40,12 @@ fn chosen(reader: &TableReader<'_>, field: &'static Field) -> Option<(&'static s
         reader.wrong(&path, value, message, None);
         return None;
     };
-    let found = supported(word);
+    let found = known(word);
     if found.is_none() {
-        let known = || BearingModel::VARIANTS.iter().filter(|v| v.table.is_some()).map(|v| v.word);
-        let allowed = written::quoted(&known().collect::<Vec<_>>());
-        let raw = written::raw(reader.text, value);
-        if BearingModel::VARIANTS.iter().any(|v| v.word == word) {
-            let hint = format!("supported so far: {allowed}");
-            reader.wrong(&path, value, format!("model {raw} is not supported yet"), Some(hint));
-        } else {
-            let hint = did_you_mean(word, BearingModel::VARIANTS.iter().map(|v| v.word)).trim_end().to_string();
-            reader.wrong(
-                &path,
-                value,
-                format!("must be one of {allowed}; it is {raw}"),
-                Some(hint).filter(|h| !h.is_empty()),
-            );
-        }
+        let words: Vec<&str> = BearingModel::VARIANTS.iter().map(|v| v.word).collect();
+        let hint = did_you_mean(word, words.iter().copied()).trim_end().to_string();
+        let message = format!("must be one of {}; it is {}", written::quoted(&words), written::raw(reader.text, value));
+        reader.wrong(&path, value, message, Some(hint).filter(|h| !h.is_empty()));
     }
     found
 }

@@ -70,15 +70,27 @@ impl<'r> TableReader<'r> {
         self.path.key(field.key)
     }
 
+    /// Does the table have the key?
+    pub fn is_written(&self, field: &Field) -> bool {
+        self.table.contains_key(field.key)
+    }
+
     pub fn look_up(&self, field: &'static Field) -> Found<'r> {
         if let Some(value) = self.table.get(field.key) {
+            if let Presence::Unless(other) = field.presence
+                && self.table.contains_key(other)
+            {
+                let message = format!("goes with `{other}` never: write the one or the other");
+                self.wrong(&self.path_of(field), value, message, None);
+            }
             return Found::Written(value);
         }
         match field.presence {
+            Presence::Unless(other) if self.table.contains_key(other) => Found::Nothing,
             Presence::Default(written) => Found::Default(written),
             Presence::DefaultIn(name, written) if name == self.name => Found::Default(written),
             Presence::Optional => Found::Nothing,
-            Presence::Required | Presence::DefaultIn(..) => {
+            Presence::Required | Presence::Unless(_) | Presence::DefaultIn(..) => {
                 self.report_missing(field);
                 Found::Nothing
             }
@@ -86,14 +98,7 @@ impl<'r> TableReader<'r> {
     }
 
     fn report_missing(&self, field: &Field) {
-        let stood_in_for = |other: &Field| match other.kind {
-            Kind::Unsupported { replaces } => replaces.contains(&field.key) && self.table.contains_key(other.key),
-            _ => false,
-        };
-        if self.silent
-            || self.findings.is_full()
-            || self.schemas.iter().flat_map(|schema| schema.fields).any(stood_in_for)
-        {
+        if self.silent || self.findings.is_full() {
             return;
         }
         let path = self.path_of(field);
@@ -102,7 +107,10 @@ impl<'r> TableReader<'r> {
             Kind::Tables(_, _) => (format!("at least one [[{path}]] is wanted"), None),
             _ => (format!("`{}` is missing", field.key), Some(super::written::describe(field))),
         };
-        let hint = hint.or_else(|| Some(field.doc.into()));
+        let hint = hint.or_else(|| match field.presence {
+            Presence::Unless(other) => Some(format!("{} Or write [{}].", field.doc, self.path.key(other))),
+            _ => Some(field.doc.into()),
+        });
         self.findings.error(&path, self.span.clone(), message, hint);
     }
 
@@ -113,17 +121,13 @@ impl<'r> TableReader<'r> {
 
     /// Reports every key that no field was read from. The last thing to do with a reader.
     pub fn finish(self) {
-        for (key, value) in self.table {
+        for (key, _) in self.table {
             let name = key.get_ref().as_ref();
             if self.findings.is_full() {
                 return;
             }
             let path = self.path.key(name);
             match self.schemas.iter().find_map(|schema| schema.field(name)) {
-                Some(Field { kind: Kind::Unsupported { .. }, doc, .. }) => {
-                    let message = format!("`{name}` is not supported yet");
-                    self.findings.error(&path, value.span(), message, Some((*doc).into()));
-                }
                 Some(_) => {}
                 None => self.unknown(&path, name, key.span()),
             }
@@ -133,7 +137,7 @@ impl<'r> TableReader<'r> {
     fn unknown(&self, path: &KeyPath, name: &str, span: Range<usize>) {
         if let Some((field, chosen)) = self.variant {
             let Kind::Variant(variants) = field.kind else { return };
-            let owner = variants.iter().find(|variant| variant.table.is_some_and(|table| table.field(name).is_some()));
+            let owner = variants.iter().find(|variant| variant.table.field(name).is_some());
             match (chosen, owner) {
                 // which keys are right is not known before the model is
                 (None, _) => return,
@@ -158,7 +162,7 @@ impl<'r> TableReader<'r> {
     /// The keys that may be written here.
     fn keys(&self) -> impl Iterator<Item = &'static str> {
         let fields = self.schemas.iter().flat_map(|schema| schema.fields);
-        fields.filter(|field| !matches!(field.kind, Kind::Unsupported { .. })).map(|field| field.key)
+        fields.map(|field| field.key)
     }
 
     fn read_table<T: FromTable>(&self, path: KeyPath, value: &'r Value<'r>, place: usize, name: &'r str) -> Option<T> {
@@ -193,6 +197,12 @@ impl<T: FromTable> FromFile for T {
             Found::Default(_) | Found::Nothing => None,
         };
         read.unwrap_or_else(|| reader.read_nothing(""))
+    }
+}
+
+impl<T: FromTable> FromFile for Option<T> {
+    fn from_file(reader: &mut TableReader<'_>, field: &'static Field) -> Self {
+        reader.is_written(field).then(|| T::from_file(reader, field))
     }
 }
 

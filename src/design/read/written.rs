@@ -50,7 +50,7 @@ pub(super) fn wanted(field: &Field) -> String {
             let words: Vec<&str> = variants.iter().map(|variant| variant.word).collect();
             format!("one of {}", quoted(&words))
         }
-        Kind::Table(_) | Kind::NamedTables(_) | Kind::Unsupported { .. } => "a table".into(),
+        Kind::Table(_) | Kind::NamedTables(_) => "a table".into(),
         Kind::Tables(..) => "a list of tables".into(),
     }
 }

@@ -182,7 +182,9 @@ impl<'a> Shaft<'a> {
             mark(bearing.position, if rigid { theme.glyphs.rigid_bearing } else { theme.glyphs.bearing });
         }
         mark(self.rotor.mesh_position, 'm');
-        mark(self.rotor.drive.position, self.drive);
+        if let Some(drive) = &self.rotor.drive {
+            mark(drive.position, self.drive);
+        }
         buffer.set_stringn(area.x, area.bottom() - 1, marks.iter().collect::<String>(), marks.len(), theme.title);
     }
 }
@@ -198,7 +200,7 @@ impl Shaft<'_> {
             Element::Bearing(at) => rotor.bearings.get(at).map(|bearing| (bearing.position, bearing.position)),
             Element::Body(at) => rotor.bodies.get(at).map(|body| (body.position, body.position)),
             Element::Mesh => Some((rotor.mesh_position, rotor.mesh_position)),
-            Element::Drive => Some((rotor.drive.position, rotor.drive.position)),
+            Element::Drive => rotor.drive.map(|drive| (drive.position, drive.position)),
         };
         let Some((from, to)) = extent else { return };
         let (across, _) = Canvas::dots_per_cell(theme.glyphs.ascii);

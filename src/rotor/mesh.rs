@@ -13,7 +13,7 @@ pub fn mesh_vector(vectors: &MeshVectors) -> Vector6<f64> {
 }
 
 /// Sign of the mesh vector on a shaft: the spring is stretched by +h_p . x_p - h_g . x_g (8).
-pub(super) fn signed(side: Side) -> f64 {
+pub fn signed(side: Side) -> f64 {
     match side {
         Side::Pinion => 1.0,
         Side::Gear => -1.0,
