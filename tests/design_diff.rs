@@ -131,7 +131,7 @@ fn totals_are_those_of_the_rotor() {
         let design = read(shipped.text).design.unwrap();
         for side in Side::BOTH {
             let totals = Totals::of(&design, side);
-            let rotor = Rotor::new(&design, design.rotor(side)).unwrap();
+            let rotor = Rotor::new(&design, side).unwrap();
             assert!((totals.mass() / rotor.totals.mass - 1.0).abs() < 1e-12);
             let end = rotor.stations.positions.last().unwrap();
             assert!((totals.length - end).abs() < 1e-12);

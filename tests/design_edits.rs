@@ -413,7 +413,6 @@ fn what_cannot_be_done_leaves_everything_as_it_was() {
         set("pinion.segment", "1"),
         set("pinion.bearing[7].name", "'x'"),
         model("pinion.bearing[0]", "magnetic"),
-        model("pinion.bearing[0]", "ball"),
         model("pinion.bearing[5]", "rigid"),
         model("pinion", "rigid"),
         Edit::Remove { path: path("pinion.nothing") },

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use bevelscope::design::grid::{Cell, CellKind, Sheet, Shown};
 use bevelscope::design::library::SHIPPED;
 use bevelscope::design::schema::{Kind, Limit, ROOT, target};
-use bevelscope::design::{BearingModel, Design, Edit, Editor, KeyPath, Severity, Side, Spelled, Towards, read};
+use bevelscope::design::{BearingModel, Design, Edit, Editor, KeyPath, Severity, Side, Spelled, Step, Towards, read};
 
 fn fixture(name: &str) -> String {
     std::fs::read_to_string(format!("{}/tests/fixtures/valid/{name}.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -98,8 +98,10 @@ fn walk(text: &str, reached: &mut BTreeSet<(&'static str, &'static str)>) {
             continue;
         }
         let target = target(&cell.path).unwrap();
+        // the keys of the row's own model, which several models may have
+        let model = design_model(&design, &cell.path);
         let below = target.table.fields.iter().flat_map(|field| match field.kind {
-            Kind::Variant(_) => field.tables(),
+            Kind::Variant(variants) => variants.iter().filter(|v| Some(v.word) == model).map(|v| v.table).collect(),
             _ => Vec::new(),
         });
         let owner = std::iter::once(target.table).chain(below).find(|table| table.field(cell.column.key).is_some());
@@ -107,18 +109,25 @@ fn walk(text: &str, reached: &mut BTreeSet<(&'static str, &'static str)>) {
     }
 }
 
+/// The model of the bearing that the path leads into.
+fn design_model(design: &Design, path: &KeyPath) -> Option<&'static str> {
+    let [Step::Key(side), Step::Key(list), Step::Place(place), ..] = path.steps() else { return None };
+    let side = Side::BOTH.into_iter().find(|known| known.name() == side).filter(|_| list == "bearing")?;
+    Some(design.rotor(side).bearings.get(*place)?.model.word())
+}
+
 #[test]
 fn every_field_of_the_schema_is_a_cell_that_can_be_edited() {
     let mut reached = BTreeSet::new();
     let texts = SHIPPED.iter().map(|shipped| shipped.text.to_owned());
-    for text in texts.chain(["small", "inline", "matrix", "other-tables"].map(fixture)) {
+    for text in texts.chain(["small", "inline", "matrix", "other-tables", "rolling", "geometry", "geometry-helical"].map(fixture)) {
         walk(&text, &mut reached);
     }
     let mut expected = BTreeSet::new();
     for table in ROOT.walk() {
         for field in table.fields {
             match field.kind {
-                Kind::Table(_) | Kind::Tables(..) | Kind::NamedTables(_) | Kind::Unsupported { .. } => {}
+                Kind::Table(_) | Kind::Tables(..) | Kind::NamedTables(_) => {}
                 _ => {
                     expected.insert((table.name, field.key));
                 }
@@ -220,7 +229,7 @@ fn what_cannot_be_typed_says_what_can() {
         ("mesh.damping", "much", "a number is wanted, e.g. 0.03 or 3 %"),
         ("analysis.frequency_lines", "2.5", "a whole number is wanted; this is 2.5"),
         ("analysis.damping_model", "elastic", "one of these is wanted: hysteretic, viscous"),
-        ("pinion.bearing[0].model", "x", "one of these is wanted: diagonal, matrix, rigid"),
+        ("pinion.bearing[0].model", "x", "one of these is wanted: diagonal, matrix, rigid, ball, roller"),
         ("pinion.segment[0].length_mm", "3,5", "write 3.5: the decimal separator is a point"),
         ("tags", "[1]", "a list of texts is wanted: [\"a\", \"b\"], or a, b"),
     ] {
@@ -286,7 +295,7 @@ fn sheets_are_those_of_the_schema() {
     let paths: Vec<String> = Sheet::all().iter().map(|sheet| sheet.path.to_string()).collect();
     let rotor = |side: &str| ["", ".segment", ".body", ".bearing", ".drive"].map(|list| format!("{side}{list}"));
     let mut expected: BTreeSet<String> =
-        ["", "analysis", "material", "mesh", "mesh.pinion", "mesh.gear"].map(String::from).into();
+        ["", "analysis", "material", "mesh", "mesh.pinion", "mesh.gear", "mesh.geometry", "operating"].map(String::from).into();
     expected.extend(rotor("pinion"));
     expected.extend(rotor("gear"));
     assert_eq!(paths.len(), expected.len());
@@ -304,7 +313,7 @@ fn sheets_are_those_of_the_schema() {
             assert!(all.contains(&sheet), "{}", sheet.path);
         }
     }
-    for sheet in [Sheet::design(), Sheet::analysis(), Sheet::materials(), Sheet::mesh()] {
+    for sheet in [Sheet::design(), Sheet::analysis(), Sheet::materials(), Sheet::mesh(), Sheet::mesh_geometry(), Sheet::operating()] {
         assert!(all.contains(&sheet), "{}", sheet.path);
     }
 }

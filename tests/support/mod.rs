@@ -64,7 +64,7 @@ pub fn rotor(segments: Vec<Segment>, bodies: Vec<Body>, bearings: Vec<Bearing>) 
         segments,
         bodies,
         bearings,
-        drive: Drive { position: length, torsional_stiffness: 1e4, inertia: 0.02 },
+        drive: Some(Drive { position: length, torsional_stiffness: 1e4, inertia: 0.02 }),
     }
 }
 
@@ -77,6 +77,7 @@ pub fn design(theory: BeamTheory, steel: Material, pinion: RotorDesign, gear: Ro
         tags: Vec::new(),
         parent: None,
         note: None,
+        operating: None,
         analysis: Analysis {
             frequency_min: 10.0,
             frequency_max: 4000.0,
@@ -93,6 +94,7 @@ pub fn design(theory: BeamTheory, steel: Material, pinion: RotorDesign, gear: Ro
             transmission_error: 5e-6,
             pinion: MeshVectors { point: [0.0, 0.0, 0.027_459_5], line_of_action: unit(n1) },
             gear: MeshVectors { point: [0.0, 0.0, 0.076_493_6], line_of_action: unit(n2) },
+            geometry: None,
         },
         pinion,
         gear,

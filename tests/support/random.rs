@@ -58,6 +58,7 @@ pub fn designs_on(mounting: Mounting) -> impl Strategy<Value = Design> {
                 transmission_error: error,
                 pinion: vectors(p),
                 gear: vectors(g),
+                geometry: None,
             };
             out
         })
@@ -137,7 +138,7 @@ pub fn rotors(mounting: Mounting) -> impl Strategy<Value = RotorDesign> {
         vec(segments(), 2..=5),
         vec(body, 0..=3),
         bearings,
-        (places(), places()),
+        (places(), prop::option::weighted(0.85, places())),
         (log_range(2e3, 1e5), log_range(0.005, 0.5)),
         prop::option::weighted(0.3, log_range(1e8, 2e9)),
     )
@@ -164,7 +165,7 @@ pub fn rotors(mounting: Mounting) -> impl Strategy<Value = RotorDesign> {
                 segments,
                 bodies: bodies.collect(),
                 bearings: bearings.collect(),
-                drive: Drive { position: place(drive), torsional_stiffness: spring, inertia },
+                drive: drive.map(|at| Drive { position: place(at), torsional_stiffness: spring, inertia }),
             };
             legal(rotor)
         })
@@ -194,7 +195,7 @@ fn legal(mut rotor: RotorDesign) -> RotorDesign {
         match &mut rotor.bearings[0].model {
             BearingModel::Rigid(hold) => hold.y = true,
             BearingModel::Diagonal(k) => k.ky = 2e8,
-            BearingModel::Matrix(_) => {}
+            BearingModel::Matrix(_) | BearingModel::Ball(_) | BearingModel::Roller(_) => {}
         }
     } else if elastic > 0.0 && axial_hold {
         rotor.housing_axial_stiffness = None;
@@ -210,7 +211,7 @@ fn axial_stiffness(bearing: &Bearing) -> f64 {
     match &bearing.model {
         BearingModel::Diagonal(k) => k.ky,
         BearingModel::Matrix(k) => k[1][1],
-        BearingModel::Rigid(_) => 0.0,
+        BearingModel::Rigid(_) | BearingModel::Ball(_) | BearingModel::Roller(_) => 0.0,
     }
 }
 

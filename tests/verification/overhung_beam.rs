@@ -6,7 +6,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use bevelscope::design::{BeamTheory, Body, Design, Material};
+use bevelscope::design::{BeamTheory, Body, Design, Material, Side};
 use bevelscope::rotor::{Rotor, RotorError};
 
 use crate::support::{assert_close, design, disc, ordinary, rigid, rotor, spring, steel_shaft};
@@ -21,7 +21,7 @@ fn mass_per_length() -> f64 {
 
 /// x = k d of the first bending mode, in both planes.
 fn roots(design: &Design) -> [f64; 2] {
-    let solved = Rotor::new(design, &design.pinion).unwrap();
+    let solved = Rotor::new(design, Side::Pinion).unwrap();
     let bending = STEEL.youngs_modulus * PI / 64.0 * DIAMETER.powi(4);
     [solved.bending_x, solved.bending_z].map(|mode| {
         let omega = TAU * mode.frequency;
@@ -90,7 +90,7 @@ fn double_root() {
         let mut design = beam(vec![body(0.5, 1.0, inertia)], &[0.0, 1.0]);
         design.pinion.bearings = [0.0, LENGTH].map(|at| spring(at, [1e4, 1e8, 1e4, 0.0, 0.0])).to_vec();
         design.pinion.mesh_position = 0.5 * LENGTH;
-        Rotor::new(&design, &design.pinion).unwrap().bending_z.frequency
+        Rotor::new(&design, Side::Pinion).unwrap().bending_z.frequency
     };
     // as a rigid bar: bounce w^2 = 2k/M, pitch w^2 = 2k (d/2)^2/J, which meet at J = M d^2/4
     let rigid_meeting = 2.0 / 4.0 - 1.0 / 12.0;
@@ -116,5 +116,5 @@ fn double_root() {
 fn rigid_bearing_at_the_mesh_is_refused() {
     let mut design = beam(vec![], &[0.5, 1.0]);
     design.pinion.mesh_position = 0.5 * LENGTH;
-    assert_eq!(Rotor::new(&design, &design.pinion).unwrap_err(), RotorError::RigidAtMesh);
+    assert_eq!(Rotor::new(&design, Side::Pinion).unwrap_err(), RotorError::RigidAtMesh);
 }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use bevelscope::design::{BeamTheory, Design};
+use bevelscope::design::{BeamTheory, Design, Side};
 use bevelscope::rotor::{Rotor, ShaftMatrices};
 use nalgebra::DMatrix;
 
@@ -21,7 +21,7 @@ fn pinned(theory: BeamTheory, elements: usize) -> Design {
 
 /// Bending frequencies (rad/s) of the finite element model in both planes, ascending.
 fn bending(design: &Design) -> Vec<f64> {
-    let solved = Rotor::new(design, &design.pinion).unwrap();
+    let solved = Rotor::new(design, Side::Pinion).unwrap();
     let shaft = ShaftMatrices::new(&design.pinion, &solved.stations, &solved.supports);
     let kept: Vec<usize> = (0..shaft.free.len()).filter(|&i| shaft.free[i] && ![1, 4].contains(&(i % 6))).collect();
     let pick = |a: &DMatrix<f64>| a.select_rows(&kept).select_columns(&kept);
@@ -92,7 +92,7 @@ fn transfer_matrices_give_the_closed_form() {
     let exact = [(BeamTheory::EulerBernoulli, 512.997_7), (BeamTheory::Timoshenko, exact_timoshenko(1.0))];
     for (theory, omega) in exact {
         let design = pinned(theory, 8);
-        let solved = Rotor::new(&design, &design.pinion).unwrap();
+        let solved = Rotor::new(&design, Side::Pinion).unwrap();
         let tolerance = if theory == BeamTheory::EulerBernoulli { 1e-7 } else { 1e-12 };
         for bending in [solved.bending_x, solved.bending_z] {
             assert_close("first bending", 2.0 * PI * bending.frequency, omega, tolerance);

@@ -2,7 +2,7 @@
 //! that names what overflows, never a panic and never a figure that is no number.
 
 use bevelscope::comparison::compare;
-use bevelscope::design::{Bearing, Design, RotorDesign};
+use bevelscope::design::{Bearing, Design, RotorDesign, Side};
 use bevelscope::rotor::{Motion, Rotor, RotorError};
 
 use crate::support::nonsense::assert_no_nonsense;
@@ -18,7 +18,7 @@ fn with_bearings(bearings: Vec<Bearing>) -> Design {
 #[track_caller]
 fn assert_unsupported(bearings: Vec<Bearing>, expected: &[Motion], words: &[&str]) {
     let design = with_bearings(bearings);
-    let error = Rotor::new(&design, &design.pinion).unwrap_err();
+    let error = Rotor::new(&design, Side::Pinion).unwrap_err();
     assert_eq!(error, RotorError::Unsupported(expected.to_vec()));
     let message = compare(&design).unwrap_err().to_string();
     assert!(message.starts_with("pinion shaft: nothing holds it "), "{message}");
@@ -49,7 +49,7 @@ fn tilt() {
     for position in [0.0, 0.055, 0.085, 0.17] {
         for bearing in [spring(position, [6e8, 2e8, 6e8, 0.0, 0.0]), rigid(position, [true; 3])] {
             let design = with_bearings(vec![bearing]);
-            let error = Rotor::new(&design, &design.pinion).unwrap_err();
+            let error = Rotor::new(&design, Side::Pinion).unwrap_err();
             let RotorError::Unsupported(motions) = error else { panic!("{error:?}") };
             assert!(motions.contains(&Motion::ThX) && motions.contains(&Motion::ThZ), "at {position}: {motions:?}");
             assert!(!motions.contains(&Motion::Y), "at {position}: {motions:?}");
@@ -77,7 +77,7 @@ fn the_softest_sensible_support_is_accepted() {
     for k in [[1.0, 1e9, 1e9], [1e9, 1.0, 1e9], [1e9, 1e9, 1.0]] {
         let at = |position, k: [f64; 3]| spring(position, [k[0], k[1], k[2], 0.0, 0.0]);
         let design = with_bearings(vec![at(0.055, k), at(0.13, k)]);
-        let rotor = Rotor::new(&design, &design.pinion).unwrap_or_else(|error| panic!("{k:?}: {error}"));
+        let rotor = Rotor::new(&design, Side::Pinion).unwrap_or_else(|error| panic!("{k:?}: {error}"));
         // in the soft direction the shaft bounces as a rigid body
         let [x, _, z] = k.map(|k| (2.0 * k / rotor.totals.mass).sqrt() / std::f64::consts::TAU);
         for (stiffness, bounce, bending) in [(k[0], x, rotor.bending_x), (k[2], z, rotor.bending_z)] {
@@ -105,8 +105,8 @@ fn extreme_values() {
         ("body mass", |d, v| d.pinion.bodies[0].mass = v),
         ("diametral inertia", |d, v| d.pinion.bodies[0].diametral_inertia = v),
         ("polar inertia", |d, v| d.pinion.bodies[0].polar_inertia = v),
-        ("drive stiffness", |d, v| d.pinion.drive.torsional_stiffness = v),
-        ("drive inertia", |d, v| d.pinion.drive.inertia = v),
+        ("drive stiffness", |d, v| d.pinion.drive.as_mut().unwrap().torsional_stiffness = v),
+        ("drive inertia", |d, v| d.pinion.drive.as_mut().unwrap().inertia = v),
         ("Kc", |d, v| d.pinion.bearings[0].axial_series_stiffness = Some(v)),
         ("Khb", |d, v| d.gear.housing_axial_stiffness = Some(v)),
         ("highest line", |d, v| d.analysis.frequency_max = v.max(11.0)),
@@ -174,7 +174,7 @@ fn zeros() {
 fn shaft_without_length() {
     for length in [1e-10, 1e-300] {
         let mut shaft = rotor(vec![steel_shaft(length, 0.03, 2)], vec![], vec![rigid(0.0, [true; 3])]);
-        shaft.drive.position = 0.0;
+        shaft.drive.as_mut().unwrap().position = 0.0;
         let design = Design { pinion: shaft, ..ordinary() };
         let message = assert_no_nonsense("short", &design).unwrap_err();
         assert!(message.starts_with("pinion shaft: the shaft is too short"), "{message}");
