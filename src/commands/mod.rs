@@ -3,9 +3,11 @@
 mod check;
 mod compare;
 mod explore;
+mod import_mesh;
 mod input;
 mod inspect;
 mod keys;
+mod mesh_stiffness;
 mod modes;
 mod solve;
 
@@ -46,6 +48,9 @@ enum Command {
     Inspect(inspect::Args),
     /// Where two designs differ, and how the models of both agree
     Compare(compare::Args),
+    /// Estimate a mean mesh stiffness from the effective face width (ISO 10300-1, method B)
+    MeshStiffness(mesh_stiffness::Args),
+    ImportMesh(import_mesh::Args),
     /// The keys of the explorer, with those of the user's file
     Keys(keys::Args),
 }
@@ -118,6 +123,8 @@ impl Cli {
             Some(Command::Check(args)) => check::run(args, &mut out)?,
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
+            Some(Command::MeshStiffness(args)) => mesh_stiffness::run(args, &mut out)?,
+            Some(Command::ImportMesh(args)) => import_mesh::run(args, &mut out, &mut err)?,
             Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,
         };
         out.flush()?;

@@ -5,8 +5,10 @@
 
 mod bevel;
 mod cylinder;
+mod import;
 mod mesh_stiffness;
 
+pub use import::{AveragedMesh, COLUMNS, ImportError, read_csv};
 pub use mesh_stiffness::{StiffnessError, mean_mesh_stiffness};
 
 use nalgebra::Vector3;

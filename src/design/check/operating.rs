@@ -10,7 +10,7 @@ pub(super) fn check(design: &Design, top: &KeyPath, checker: &Checker<'_>) {
         for (place, _) in design.rotor(side).bearings.iter().enumerate().filter(|(_, b)| is_from_torque(b)) {
             let path = top.key(side.name()).key("bearing").place(place).key("mean_load");
             if design.operating.is_none_or(|operating| operating.pinion_torque.is_none()) {
-                let hint = "for example:\n[operating]\npinion_torque_n_m = 300.0";
+                let hint = "write pinion_torque_n_m = 300.0 in a table [operating]";
                 checker.error(&path, "needs pinion_torque_n_m in [operating]", Some(hint));
             } else if torque_arm(design) == 0.0 {
                 let message = "the line of action meets the pinion's axis: no mesh force can carry the torque";

@@ -1,7 +1,11 @@
 //! `bevelscope inspect`: what was built of a design.
 
+mod mean_state;
+mod mesh;
+
 use std::io::{self, Write};
 
+use mean_state::MeanStateOutput;
 use nalgebra::Matrix6;
 
 use super::{CommandError, FileArg, Format, Status, input};
@@ -10,7 +14,7 @@ use crate::design::{Design, Side};
 use crate::model::{Model, ModelKind, Rotors};
 use crate::number::significant;
 use crate::report::{Table, json};
-use crate::rotor::{Bending, Rotor};
+use crate::rotor::{Bending, Rolling, Rotor};
 use crate::text::printable;
 
 #[derive(Debug, clap::Args)]
@@ -38,6 +42,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
 struct Output<'a> {
     design: &'a str,
     coordinates: Coordinates,
+    mesh: mesh::MeshOutput,
     pinion: RotorOutput<'a>,
     gear: RotorOutput<'a>,
 }
@@ -81,6 +86,8 @@ struct BearingOutput<'a> {
     /// Translations that are held; the stiffness says nothing of them
     hold: Vec<&'static str>,
     stiffness: [[f64; 6]; 6],
+    /// Of ball and roller bearings; null for others
+    mean_state: Option<MeanStateOutput>,
 }
 
 impl<'a> Output<'a> {
@@ -89,6 +96,7 @@ impl<'a> Output<'a> {
         Self {
             design: &design.name,
             coordinates: Coordinates { fe: coordinates(ModelKind::Fe), lumped: coordinates(ModelKind::Basic) },
+            mesh: mesh::MeshOutput::new(design),
             pinion: RotorOutput::new(rotors.get(Side::Pinion)),
             gear: RotorOutput::new(rotors.get(Side::Gear)),
         }
@@ -97,7 +105,8 @@ impl<'a> Output<'a> {
 
 impl<'a> RotorOutput<'a> {
     fn new(rotor: &'a Rotor) -> Self {
-        let bearing = |support: &'a crate::rotor::Support| BearingOutput {
+        let bearing = |(support, rolling): (&'a crate::rotor::Support, &Option<Rolling>)| BearingOutput {
+            mean_state: rolling.as_ref().map(MeanStateOutput::new),
             name: &support.name,
             hold: ["x", "y", "z"]
                 .into_iter()
@@ -115,7 +124,7 @@ impl<'a> RotorOutput<'a> {
             centroid_mm: rotor.totals.centroid * 1e3,
             shaft_bearing_stiffness: rows(&rotor.statics.shaft_bearing_stiffness),
             bending: Planes { x: (&rotor.bending_x).into(), z: (&rotor.bending_z).into() },
-            bearings: rotor.supports.bearings.iter().map(bearing).collect(),
+            bearings: rotor.supports.bearings.iter().zip(&rotor.mean_states.bearings).map(bearing).collect(),
         }
     }
 }
@@ -140,6 +149,7 @@ fn rows(matrix: &Matrix6<f64>) -> [[f64; 6]; 6] {
 fn write_tables(out: &mut impl Write, output: &Output<'_>) -> io::Result<()> {
     writeln!(out, "{}", printable(output.design))?;
     writeln!(out, "coordinates: FE {}, lumped {}", output.coordinates.fe, output.coordinates.lumped)?;
+    output.mesh.write(out)?;
     for (name, rotor) in [("PINION", &output.pinion), ("GEAR", &output.gear)] {
         writeln!(out, "\n{name}")?;
         write_rotor(out, rotor)?;
@@ -189,6 +199,9 @@ fn write_rotor(out: &mut impl Write, rotor: &RotorOutput<'_>) -> io::Result<()> 
     for bearing in &rotor.bearings {
         let name = printable(bearing.name);
         if bearing.hold.is_empty() {
+            if let Some(state) = &bearing.mean_state {
+                state.write(out, &name)?;
+            }
             writeln!(out, "bearing \"{name}\" with Kc, before Khb (N/m, N/rad; N m/rad)")?;
             write!(out, "{}", matrix(&bearing.stiffness))?;
         } else {

@@ -1,0 +1,38 @@
+//! `bevelscope mesh-stiffness`: a mean value where no contact analysis is at hand.
+
+use std::io::Write;
+
+use super::{CommandError, Format, Status};
+use crate::gear::mean_mesh_stiffness;
+use crate::report::json;
+
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Effective face width, mm
+    #[arg(long)]
+    face_width_mm: f64,
+    /// Mean spiral or helix angle, deg; 0 for straight teeth
+    #[arg(long, default_value = "0")]
+    spiral_angle_deg: f64,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+const METHOD: &str = "estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, along the tooth normal";
+
+#[derive(serde::Serialize)]
+struct Output {
+    stiffness_n_per_m: f64,
+    method: &'static str,
+}
+
+pub fn run(args: &Args, out: &mut impl Write) -> Result<Status, CommandError> {
+    let stiffness = mean_mesh_stiffness(args.face_width_mm / 1e3, args.spiral_angle_deg.to_radians())
+        .map_err(|error| CommandError::Usage(error.to_string()))?;
+    match args.format {
+        Format::Json => json::write(out, &Output { stiffness_n_per_m: stiffness, method: METHOD })?,
+        Format::Table => writeln!(out, "stiffness_n_per_m = {stiffness:.3e}    # {METHOD}")?,
+    }
+    Ok(Status::Success)
+}
