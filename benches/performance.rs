@@ -7,6 +7,7 @@ use std::io::Read;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use bevelscope::bearing::{Bearing, Data, Held, Kind, Vector, equilibrium};
 use bevelscope::comparison::{compare, solve};
 use bevelscope::design::{self, Design};
 use bevelscope::model::{Model, ModelKind, Rotors};
@@ -21,7 +22,63 @@ fn main() {
     let design = design::read(&text).design.expect("valid design");
     println!("overhung-elastic: 92 coordinates, {} lines; medians\n", design.analysis.frequency_lines);
     kernels(&design, &text);
+    equilibria();
     processes();
+}
+
+/// Ball and roller bearings: random loads that come from a displacement, so that there is an equilibrium; and a shaft under torque.
+fn equilibria() {
+    const CASES: usize = 10_000;
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let cases: Vec<(Bearing, Vector, Held)> = std::iter::repeat_with(|| random.case()).flatten().take(CASES).collect();
+    let start = Instant::now();
+    let balanced = cases.iter().filter(|(bearing, load, held)| equilibrium(bearing, load, held).is_ok()).count();
+    let each = start.elapsed() / CASES as u32;
+    println!("\nbearing equilibria: {balanced} of {CASES} random cases found, {} each", shown(each));
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/tapered-axle.toml");
+    let design = design::read(&std::fs::read_to_string(path).expect("shipped design")).design.expect("valid design");
+    let rotors = Rotors::new(&design).expect("rotors");
+    let fresh = median(21, || drop(black_box(Rotors::new(&design))));
+    let kept = median(21, || drop(black_box(Rotors::reusing(&design, Some(&rotors)))));
+    println!("tapered-axle: rotors with mean states {}, with those of before {}", shown(fresh), shown(kept));
+}
+
+/// Numbers without a library for them (xorshift).
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A bearing with the loads of a displacement; nothing where no element is in contact.
+    fn case(&mut self) -> Option<(Bearing, Vector, Held)> {
+        let radius = 0.01 * 15_f64.powf(self.unit());
+        let sort = (3.0 * self.unit()) as usize;
+        let (kind, stiffness) = match sort {
+            0 => (Kind::Ball { groove_distance: 0.012 * radius }, 1e10),
+            1 => (Kind::Roller { length: 0.0 }, 1e9),
+            _ => (Kind::Roller { length: 0.4 * radius }, 1e9),
+        };
+        let contact_angle = (100.0 * self.unit() - 50.0).to_radians();
+        let bearing = Bearing::new(Data {
+            elements: 5 + (25.0 * self.unit()) as usize,
+            contact_angle,
+            clearance: 8e-6 * self.unit(),
+            radius,
+            contact_stiffness: stiffness * (0.2 + 5.0 * self.unit()),
+            kind,
+        });
+        let bearing = bearing.ok()?;
+        let size = 2e-6 * 20_f64.powf(self.unit());
+        let mut q = Vector::from_fn(|i, _| (2.0 * self.unit() - 1.0) * if i < 3 { size } else { size / radius });
+        q[2] = q[2].abs() * contact_angle.signum() + 0.3 * q[2];
+        let held = if sort == 1 { [None, None, None, Some(q[3]), Some(q[4])] } else { [None; 5] };
+        (bearing.energy(&q) > 0.0).then(|| (bearing, Vector::from(bearing.load(&q.into())), held))
+    }
 }
 
 /// What a comparison costs beside the direct solve of the finite element model alone.

@@ -15,6 +15,8 @@
 //!
 //! | module | what it holds | where in the paper |
 //! | --- | --- | --- |
+//! | [`gear`] | gear data to mesh points, lines of action, tooth forces | |
+//! | [`bearing`] | ball and roller bearings: loads, stiffness, equilibrium (Lim and Singh) | 2 |
 //! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library | |
 //! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
 //! | [`model`] | the finite element and the lumped models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
@@ -42,10 +44,13 @@
 //! Each is held by a test.
 //!
 //! - Nothing outside `src/tui` names ratatui or crossterm (`tests/invariants.rs`).
-//! - No file, terminal or thread in `rotor`, `model`, `response` and `agreement` (`tests/invariants.rs`).
+//! - No file, terminal or thread in `bearing`, `gear`, `rotor`, `model`, `response` and `agreement` (`tests/invariants.rs`).
 //! - Inside the program a number is SI, a frequency in Hz or rad/s as its name says; every number that leaves it has a unit in
 //!   its key or header (`tests/invariants.rs`, `tests/cli.rs`).
 //! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
+//! - Loads of a bearing are the gradient of one convex energy, its stiffness the derivative of the loads (`tests/bearing`).
+//! - A bearing without contact has no stiffness matrix: it is an error (`tests/bearing`, `tests/mean_states.rs`).
+//! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
 //! - An edit changes the bytes that it is about and no others; undone, it gives the file back byte for byte

@@ -189,7 +189,8 @@ fn below_the_bending_modes_the_enhanced_model_agrees_and_the_basic_one_does_not(
 /// A lumped model is statically exact: its response tends to that of finite elements as the frequency goes to zero.
 #[test]
 fn both_lumped_models_are_right_at_low_frequency() {
-    for shipped in bevelscope::design::library::SHIPPED {
+    // the paper's three, whose first modes lie far above
+    for shipped in &bevelscope::design::library::SHIPPED[..3] {
         let design = bevelscope::design::read(shipped.text).design.unwrap();
         let rotors = Rotors::new(&design).unwrap();
         let at_1_hz = |kind| solve(kind, &design, &rotors, &[1.0]).unwrap().mesh_force[0];

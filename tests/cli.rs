@@ -138,7 +138,18 @@ fn check_lists_a_folder_by_file_name() {
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
     let files: Vec<&str> = json.as_array().unwrap().iter().map(|row| row["file"].as_str().unwrap()).collect();
     let stems: Vec<&str> = files.iter().map(|file| Path::new(file).file_stem().unwrap().to_str().unwrap()).collect();
-    assert_eq!(stems, ["overhung-elastic", "overhung-rigid", "straddle-elastic"]);
+    assert_eq!(
+        stems,
+        [
+            "overhung-elastic",
+            "overhung-rigid",
+            "straddle-elastic",
+            "straddle-helical",
+            "tapered-axle",
+            "tapered-hypoid",
+            "turbine-generator"
+        ]
+    );
 }
 
 #[test]

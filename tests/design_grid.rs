@@ -120,7 +120,9 @@ fn design_model(design: &Design, path: &KeyPath) -> Option<&'static str> {
 fn every_field_of_the_schema_is_a_cell_that_can_be_edited() {
     let mut reached = BTreeSet::new();
     let texts = SHIPPED.iter().map(|shipped| shipped.text.to_owned());
-    for text in texts.chain(["small", "inline", "matrix", "other-tables", "rolling", "geometry", "geometry-helical"].map(fixture)) {
+    for text in texts
+        .chain(["small", "inline", "matrix", "other-tables", "rolling", "geometry", "geometry-helical"].map(fixture))
+    {
         walk(&text, &mut reached);
     }
     let mut expected = BTreeSet::new();
@@ -295,7 +297,9 @@ fn sheets_are_those_of_the_schema() {
     let paths: Vec<String> = Sheet::all().iter().map(|sheet| sheet.path.to_string()).collect();
     let rotor = |side: &str| ["", ".segment", ".body", ".bearing", ".drive"].map(|list| format!("{side}{list}"));
     let mut expected: BTreeSet<String> =
-        ["", "analysis", "material", "mesh", "mesh.pinion", "mesh.gear", "mesh.geometry", "operating"].map(String::from).into();
+        ["", "analysis", "material", "mesh", "mesh.pinion", "mesh.gear", "mesh.geometry", "operating"]
+            .map(String::from)
+            .into();
     expected.extend(rotor("pinion"));
     expected.extend(rotor("gear"));
     assert_eq!(paths.len(), expected.len());
@@ -313,7 +317,14 @@ fn sheets_are_those_of_the_schema() {
             assert!(all.contains(&sheet), "{}", sheet.path);
         }
     }
-    for sheet in [Sheet::design(), Sheet::analysis(), Sheet::materials(), Sheet::mesh(), Sheet::mesh_geometry(), Sheet::operating()] {
+    for sheet in [
+        Sheet::design(),
+        Sheet::analysis(),
+        Sheet::materials(),
+        Sheet::mesh(),
+        Sheet::mesh_geometry(),
+        Sheet::operating(),
+    ] {
         assert!(all.contains(&sheet), "{}", sheet.path);
     }
 }

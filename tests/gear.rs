@@ -123,7 +123,11 @@ fn spur_and_helical_pairs_push_along_their_lines_of_action() {
 
 fn pairs() -> impl Strategy<Value = Pair> {
     let signs = || prop_oneof![Just(1.0), Just(-1.0)];
-    let teeth = (0.2..0.5_f64, signs(), signs()).prop_map(|(pressure_angle, hand, turns)| Teeth { pressure_angle, hand, turns });
+    let teeth = (0.2..0.5_f64, signs(), signs()).prop_map(|(pressure_angle, hand, turns)| Teeth {
+        pressure_angle,
+        hand,
+        turns,
+    });
     let cones = ((0.2..0.7_f64, 0.05..0.2_f64, 0.0..0.9_f64), (0.6..1.3_f64, 0.05..0.2_f64, 0.0..0.7_f64));
     let bevel = cones.prop_map(|(p, g)| {
         let cone = |(pitch_angle, cone_distance, spiral_angle)| Cone { pitch_angle, cone_distance, spiral_angle };

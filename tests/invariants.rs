@@ -80,7 +80,8 @@ const WITHOUT_UNIT: [&str; 15] = [
     // 6x6, N/m, N and N m/rad
     "stiffness",
 ];
-const UNITS: [&str; 12] = ["_um", "_deg", "_mrad", "_hz", "_n", "_m", "_mm", "_kg", "_kg_m2", "_db", "_percent", "_stiffness"];
+const UNITS: [&str; 12] =
+    ["_um", "_deg", "_mrad", "_hz", "_n", "_m", "_mm", "_kg", "_kg_m2", "_db", "_percent", "_stiffness"];
 
 #[test]
 fn every_number_in_json_has_a_unit_in_its_key() {

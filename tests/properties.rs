@@ -410,7 +410,9 @@ fn numbers(design: &mut Design) -> Vec<&mut f64> {
         out.extend([&mut material.youngs_modulus, &mut material.density]);
     }
     for rotor in [pinion, gear] {
-        out.extend(rotor.drive.as_mut().into_iter().flat_map(|drive| [&mut drive.torsional_stiffness, &mut drive.inertia]));
+        out.extend(
+            rotor.drive.as_mut().into_iter().flat_map(|drive| [&mut drive.torsional_stiffness, &mut drive.inertia]),
+        );
         out.extend(&mut rotor.housing_axial_stiffness);
         for body in &mut rotor.bodies {
             out.extend([&mut body.mass, &mut body.diametral_inertia, &mut body.polar_inertia]);

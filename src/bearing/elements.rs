@@ -43,7 +43,9 @@ pub enum Warning {
     Unloaded { unloaded: usize, elements: usize },
     #[error("{0} balls bear on the opposite shoulder, which a bearing with one shoulder does not have")]
     OppositeShoulder(usize),
-    #[error("balls approach by {deflection_mm:.4} mm, more than 2 % of their diameter: beyond the range of the formulas")]
+    #[error(
+        "balls approach by {deflection_mm:.4} mm, more than 2 % of their diameter: beyond the range of the formulas"
+    )]
     Deep { deflection_mm: f64 },
 }
 

@@ -102,9 +102,10 @@ mod tests {
     // Abramowitz and Stegun (1964), table 17.1: m = 0.5 and m = 0.9.
     #[test]
     fn elliptic_integrals_are_those_of_the_tables() {
-        for (m, first, second) in
-            [(0.5_f64, 1.854_074_677_301_372, 1.350_643_881_047_676), (0.9, 2.578_092_113_348_173, 1.104_774_732_704_073)]
-        {
+        for (m, first, second) in [
+            (0.5_f64, 1.854_074_677_301_372, 1.350_643_881_047_676),
+            (0.9, 2.578_092_113_348_173, 1.104_774_732_704_073),
+        ] {
             let (k, e) = elliptic_integrals(1.0 / (1.0 - m).sqrt());
             assert!((k / first - 1.0).abs() < 1e-14 && (e / second - 1.0).abs() < 1e-14, "{m}: {k} {e}");
         }
@@ -128,7 +129,8 @@ mod tests {
                 // curvature radii across and along the groove
                 let (across, along) = (1.0 / (2.0 - 1.0 / f), 1.0 / (2.0 + rolling));
                 let a: f64 = across / along;
-                let (kappa, e, k) = (a.powf(2.0 / PI), 1.0 + (PI / 2.0 - 1.0) / a, PI / 2.0 + (PI / 2.0 - 1.0) * a.ln());
+                let (kappa, e, k) =
+                    (a.powf(2.0 / PI), 1.0 + (PI / 2.0 - 1.0) / a, PI / 2.0 + (PI / 2.0 - 1.0) * a.ln());
                 let sum = 4.0 - 1.0 / f + rolling;
                 let fit = PI * kappa * 226e9 * (e / (4.5 * k.powi(3) * sum / 0.01)).sqrt();
                 assert!((fit / exact - 1.0).abs() < 0.03, "f {f}, g {g}: {fit:e} {exact:e}");

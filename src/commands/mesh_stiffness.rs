@@ -19,7 +19,8 @@ pub struct Args {
     format: Format,
 }
 
-const METHOD: &str = "estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, along the tooth normal";
+const METHOD: &str =
+    "estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, along the tooth normal";
 
 #[derive(serde::Serialize)]
 struct Output {

@@ -79,7 +79,10 @@ fn fields(line: &str) -> Vec<&str> {
 /// Where each of [`COLUMNS`] stands.
 fn order(line: usize, head: &[&str]) -> Result<Vec<usize>, ImportError> {
     if let Some(unknown) = head.iter().find(|name| !COLUMNS.contains(*name)) {
-        return Err(error(line, &format!("unknown column `{}`; the columns are {}", excerpt(unknown, 40), COLUMNS.join(", "))));
+        return Err(error(
+            line,
+            &format!("unknown column `{}`; the columns are {}", excerpt(unknown, 40), COLUMNS.join(", ")),
+        ));
     }
     let place = |column: &&str| {
         let mut places = head.iter().enumerate().filter(|(_, name)| *name == column);
@@ -94,7 +97,10 @@ fn order(line: usize, head: &[&str]) -> Result<Vec<usize>, ImportError> {
 
 fn flank(line: usize, fields: &[&str], order: &[usize]) -> Result<AveragedMesh, ImportError> {
     if fields.len() != order.len() {
-        return Err(error(line, &format!("{} values are wanted, one a column; there are {}", order.len(), fields.len())));
+        return Err(error(
+            line,
+            &format!("{} values are wanted, one a column; there are {}", order.len(), fields.len()),
+        ));
     }
     let flank = fields[order[0]];
     if !["drive", "coast"].contains(&flank) {
@@ -104,12 +110,16 @@ fn flank(line: usize, fields: &[&str], order: &[usize]) -> Result<AveragedMesh, 
     for (column, value) in values.iter_mut().enumerate().skip(1) {
         let written = fields[order[column]];
         let number = written.parse::<f64>().ok().filter(|number| number.is_finite());
-        *value = number
-            .ok_or_else(|| error(line, &format!("{} must be a number; it is `{}`", COLUMNS[column], excerpt(written, 40))))?;
+        *value = number.ok_or_else(|| {
+            error(line, &format!("{} must be a number; it is `{}`", COLUMNS[column], excerpt(written, 40)))
+        })?;
     }
     for column in [1, 2] {
         if values[column] <= 0.0 {
-            return Err(error(line, &format!("{} must be greater than 0; it is {:?}", COLUMNS[column], values[column])));
+            return Err(error(
+                line,
+                &format!("{} must be greater than 0; it is {:?}", COLUMNS[column], values[column]),
+            ));
         }
     }
     let three = |from: usize| [values[from], values[from + 1], values[from + 2]];
@@ -157,10 +167,22 @@ mod tests {
             (format!("{head}\n{}\n\n{}", line("drive"), line("drive")), "line 4: the flank drive is there already"),
             (format!("{head}\n{}", line("reverse")), "line 2: flank must be drive or coast; it is `reverse`"),
             (format!("{head}\ndrive,1,2"), "line 2: 15 values are wanted, one a column; there are 3"),
-            (format!("{head}\n{}", line("drive").replace("27.46", "much")), "line 2: pinion_point_z_mm must be a number"),
-            (format!("{head}\n{}", line("drive").replace("27.46", "nan")), "line 2: pinion_point_z_mm must be a number"),
-            (format!("{head}\n{}", line("drive").replace("6.4e8", "0")), "line 2: stiffness_n_per_m must be greater than 0"),
-            (format!("{head}\n{}", line("drive").replace("0.76975", "0.5")), "line 2: pinion_line must be a unit vector"),
+            (
+                format!("{head}\n{}", line("drive").replace("27.46", "much")),
+                "line 2: pinion_point_z_mm must be a number",
+            ),
+            (
+                format!("{head}\n{}", line("drive").replace("27.46", "nan")),
+                "line 2: pinion_point_z_mm must be a number",
+            ),
+            (
+                format!("{head}\n{}", line("drive").replace("6.4e8", "0")),
+                "line 2: stiffness_n_per_m must be greater than 0",
+            ),
+            (
+                format!("{head}\n{}", line("drive").replace("0.76975", "0.5")),
+                "line 2: pinion_line must be a unit vector",
+            ),
         ] {
             let error = read_csv(&text).unwrap_err().to_string();
             assert!(error.starts_with(expected), "{error}");

@@ -9,9 +9,8 @@ mod lumped;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-pub use lumped::LumpedMass;
 pub use crate::rotor::mesh_vector;
-
+pub use lumped::LumpedMass;
 
 use crate::design::{DampingModel, Design, Side};
 use crate::rotor::{Motion, Rotor, RotorError};

@@ -136,6 +136,10 @@ fn part_modes(
     if !c.iter().all(|entry| entry.is_finite()) {
         return None;
     }
+    // a shaft of one torsion coordinate has its free rotation and nothing else
+    if c.nrows() == 0 {
+        return Some((kappa, theta, DMatrix::from_element(1, 1, scale[0])));
+    }
     let eigen = c.symmetric_eigen();
     for (column, value) in eigen.eigenvalues.iter().enumerate() {
         // M is positive definite: below zero there is only rounding

@@ -46,7 +46,11 @@ pub fn solve(
     })?;
     let solved = |spring: &Spring| {
         let state = spring.bearing.state(&shaft.ring(spring, &q));
-        if state.loaded() == 0 { Err(open(spring)) } else { Ok((spring.place, Rolling { bearing: spring.bearing, state })) }
+        if state.loaded() == 0 {
+            Err(open(spring))
+        } else {
+            Ok((spring.place, Rolling { bearing: spring.bearing, state }))
+        }
     };
     shaft.springs.iter().map(solved).collect()
 }
@@ -112,7 +116,8 @@ impl LoadedShaft {
         given: impl Fn(usize) -> Option<Matrix>,
     ) -> Result<Self, RotorError> {
         let shaft = ShaftMatrices::new(rotor, stations, &Supports::of_mean_state(rotor, given));
-        let is_kept = |station: usize| station == stations.mesh || springs.iter().any(|s| stations.bearings[s.place] == station);
+        let is_kept =
+            |station: usize| station == stations.mesh || springs.iter().any(|s| stations.bearings[s.place] == station);
         let moves = |i: &usize| shaft.free[*i] && i % 6 != TURNING;
         let (kept, condensed): (Vec<usize>, Vec<usize>) =
             (0..shaft.free.len()).filter(moves).partition(|i| is_kept(i / 6));
@@ -160,7 +165,8 @@ fn condense(kept: DMatrix<f64>, across: &DMatrix<f64>, condensed: DMatrix<f64>) 
     if condensed.nrows() == 0 {
         return Ok(kept);
     }
-    let factor = Cholesky::new(condensed).ok_or(RotorError::IllConditioned("stiffness of the shaft in its mean state"))?;
+    let factor =
+        Cholesky::new(condensed).ok_or(RotorError::IllConditioned("stiffness of the shaft in its mean state"))?;
     let condensed = kept - across.tr_mul(&factor.solve(across));
     Ok((&condensed + condensed.transpose()) / 2.0)
 }

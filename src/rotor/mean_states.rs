@@ -35,12 +35,7 @@ impl MeanStates {
     /// # Errors
     ///
     /// [`RotorError`] with the bearing that is not in contact or cannot carry its load.
-    pub fn new(
-        design: &Design,
-        side: Side,
-        stations: &Stations,
-        earlier: Option<&Self>,
-    ) -> Result<Self, RotorError> {
+    pub fn new(design: &Design, side: Side, stations: &Stations, earlier: Option<&Self>) -> Result<Self, RotorError> {
         let inputs = Inputs::new(design, side, stations)?;
         if let Some(earlier) = earlier.filter(|earlier| earlier.inputs == inputs) {
             return Ok(earlier.clone());

@@ -97,7 +97,9 @@ pub enum BearingError {
     Equilibrium(#[from] bearing::EquilibriumError),
     #[error("exactly one of displacement, preload and mean_load is wanted")]
     NoMeanState,
-    #[error("a mean load from torque needs pinion_torque_n_m in [operating], and a line of action that does not meet the pinion's axis")]
+    #[error(
+        "a mean load from torque needs pinion_torque_n_m in [operating], and a line of action that does not meet the pinion's axis"
+    )]
     NoTorque,
 }
 

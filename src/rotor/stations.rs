@@ -42,7 +42,8 @@ impl Stations {
         }
         let bodies = rotor.bodies.iter().map(|body| body.position);
         let bearings = rotor.bearings.iter().map(|bearing| bearing.position);
-        let mut others = bodies.chain(bearings).chain([rotor.mesh_position]).chain(rotor.drive.map(|drive| drive.position));
+        let mut others =
+            bodies.chain(bearings).chain([rotor.mesh_position]).chain(rotor.drive.map(|drive| drive.position));
         let on_shaft = -SAME_STATION..=length + SAME_STATION;
         if let Some(position) = others.find(|position| !on_shaft.contains(position)) {
             return Err(RotorError::OffShaft { position_mm: position * 1e3, length_mm: length * 1e3 });
@@ -85,8 +86,9 @@ impl Stations {
     #[must_use]
     pub fn coarsened(&self) -> Self {
         let last = self.count() - 1;
-        let occupied =
-            |i: usize| i == self.mesh || Some(i) == self.drive || self.bodies.contains(&i) || self.bearings.contains(&i);
+        let occupied = |i: usize| {
+            i == self.mesh || Some(i) == self.drive || self.bodies.contains(&i) || self.bearings.contains(&i)
+        };
         let kept: Vec<usize> = (0..=last)
             .filter(|&i| i == 0 || i == last || self.sections[i - 1] != self.sections[i] || occupied(i))
             .collect();

@@ -47,7 +47,8 @@ impl Supports {
         let stiffness = |(bearing, state): (&Bearing, &Option<Rolling>)| {
             in_series(bearing, own_stiffness(bearing, state.as_ref().map(|state| &state.state.stiffness)))
         };
-        let bearings = rotor.bearings.iter().zip(&mean_states.bearings).map(stiffness).collect::<Result<Vec<_>, _>>()?;
+        let bearings =
+            rotor.bearings.iter().zip(&mean_states.bearings).map(stiffness).collect::<Result<Vec<_>, _>>()?;
         let housing = match rotor.housing_axial_stiffness {
             None => Housing::Stiff,
             Some(bolt) => housing(&bearings, bolt)?,

@@ -64,11 +64,18 @@ const DENSITY: &[Unit] = &[
     Unit { name: "lb/in^3", times: 0.453_592_37, over: 1.638_706_4e-5 },
 ];
 const ANGLE: &[Unit] = &[unit("deg", 1.0), unit("rad", 180.0 / std::f64::consts::PI)];
-const TILT: &[Unit] = &[unit("mrad", 1.0), unit("rad", 1e3), part("urad", 1e3), unit("deg", 1e3 * std::f64::consts::PI / 180.0)];
+const TILT: &[Unit] =
+    &[unit("mrad", 1.0), unit("rad", 1e3), part("urad", 1e3), unit("deg", 1e3 * std::f64::consts::PI / 180.0)];
 const FORCE: &[Unit] = &[unit("N", 1.0), unit("kN", 1e3), unit("MN", 1e6), unit("lbf", POUND_FORCE)];
-const TORQUE: &[Unit] =
-    &[unit("N m", 1.0), unit("kN m", 1e3), part("N mm", 1e3), unit("lbf in", POUND_FORCE * 0.0254), unit("lbf ft", POUND_FORCE * 0.3048)];
-const SPEED: &[Unit] = &[unit("rpm", 1.0), unit("1/min", 1.0), unit("Hz", 60.0), unit("rad/s", 30.0 / std::f64::consts::PI)];
+const TORQUE: &[Unit] = &[
+    unit("N m", 1.0),
+    unit("kN m", 1e3),
+    part("N mm", 1e3),
+    unit("lbf in", POUND_FORCE * 0.0254),
+    unit("lbf ft", POUND_FORCE * 0.3048),
+];
+const SPEED: &[Unit] =
+    &[unit("rpm", 1.0), unit("1/min", 1.0), unit("Hz", 60.0), unit("rad/s", 30.0 / std::f64::consts::PI)];
 const BALL_CONTACT: &[Unit] = &[unit("N/m^1.5", 1.0), unit("N/mm^1.5", 31_622.776_601_683_792)];
 // 1000^(10/9)
 const ROLLER_CONTACT: &[Unit] = &[unit("N/m^(10/9)", 1.0), unit("N/mm^(10/9)", 2_154.434_690_031_884)];

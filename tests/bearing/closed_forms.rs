@@ -27,7 +27,8 @@ fn a_roller_bearing_under_pure_thrust() {
         let fz = z * kn * delta.powf(n) * sin;
         let k = n * kn * delta.powf(n - 1.0);
         assert!((state.load[2] / fz - 1.0).abs() < 1e-13);
-        let expected = axial(z / 2.0 * k * cos * cos, n * fz / dz, z / 2.0 * r * r * k * sin * sin, -z / 2.0 * r * k * sin * cos);
+        let expected =
+            axial(z / 2.0 * k * cos * cos, n * fz / dz, z / 2.0 * r * r * k * sin * sin, -z / 2.0 * r * k * sin * cos);
         assert!(difference(&state.stiffness, &expected, r) < 1e-13, "{degrees}: {:e}", state.stiffness);
     }
 }
@@ -107,7 +108,10 @@ fn bearings_of_an_automotive_axle_under_preload() {
     // these figures are for E = 207 GPa
     let kn = geometry.contact_stiffness_of(207e9, 0.3);
     assert!((kn / 1.0966e10 - 1.0).abs() < 5e-5, "{kn:e}");
-    assert!((geometry.radius() / 0.026_920_3 - 1.0).abs() < 1e-5 && (geometry.groove_distance() / 4.445e-4 - 1.0).abs() < 1e-12);
+    assert!(
+        (geometry.radius() / 0.026_920_3 - 1.0).abs() < 1e-5
+            && (geometry.groove_distance() / 4.445e-4 - 1.0).abs() < 1e-12
+    );
     let bearing = ball(12, 40.0, kn, geometry.radius(), geometry.groove_distance());
     let state = equilibrium(&bearing, &Vector::new(0.0, 0.0, 1000.0, 0.0, 0.0), &held).unwrap();
     let k = &state.stiffness;

@@ -53,7 +53,12 @@ fn a_roller_bearing_carries_only_what_its_rollers_push_against() {
     let cylindrical = roller(14, 0.0, 5e8, 0.03, 0.0);
     for (what, bearing, load, held) in [
         ("thrust the wrong way", &taper, [0.0, 0.0, -5000.0, 0.0, 0.0], TILTS_HELD),
-        ("thrust the wrong way, turned round", &roller(17, -20.0, 9.6e8, 0.0275, 0.0), [0.0, 0.0, 5000.0, 0.0, 0.0], TILTS_HELD),
+        (
+            "thrust the wrong way, turned round",
+            &roller(17, -20.0, 9.6e8, 0.0275, 0.0),
+            [0.0, 0.0, 5000.0, 0.0, 0.0],
+            TILTS_HELD,
+        ),
         // Fr tan(20 deg) = 1456 N
         ("less thrust than one roller gives", &taper, [4000.0, 0.0, 1400.0, 0.0, 0.0], TILTS_HELD),
         ("thrust on a cylindrical one", &cylindrical, [5000.0, 0.0, 100.0, 0.0, 0.0], TILTS_HELD),
@@ -85,7 +90,11 @@ fn what_is_unusual_is_said() {
     assert_eq!(equilibrium(&ball, &thrust, &[None; 5]).unwrap().warnings, []);
     let radial = equilibrium(&ball, &Vector::new(1000.0, 0.0, 10.0, 0.0, 0.0), &TILTS_HELD).unwrap();
     let unloaded = 12 - radial.loaded();
-    assert!(radial.warnings.contains(&Warning::Unloaded { unloaded, elements: 12 }) && unloaded > 0, "{:?}", radial.warnings);
+    assert!(
+        radial.warnings.contains(&Warning::Unloaded { unloaded, elements: 12 }) && unloaded > 0,
+        "{:?}",
+        radial.warnings
+    );
     let backwards = equilibrium(&ball, &-thrust, &TILTS_HELD).unwrap();
     assert_eq!(backwards.warnings, [Warning::OppositeShoulder(12)]);
     let deep = equilibrium(&ball, &(thrust * 1e3), &TILTS_HELD).unwrap();

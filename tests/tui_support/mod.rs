@@ -169,6 +169,7 @@ pub fn design(stem: &str) -> Design {
         tags: Vec::new(),
         parent: None,
         note: None,
+        operating: None,
         analysis: Analysis {
             frequency_min: 10.0,
             frequency_max: 5000.0,
@@ -185,6 +186,7 @@ pub fn design(stem: &str) -> Design {
             transmission_error: 1e-6,
             pinion: MeshVectors { point: [0.0256, 0.0, 0.0], line_of_action: [-0.197, 0.608, 0.770] },
             gear: MeshVectors { point: [-0.0998, 0.0, 0.0], line_of_action: [-0.608, -0.197, 0.770] },
+            geometry: None,
         },
         pinion: RotorDesign {
             teeth: Some(10),
@@ -193,7 +195,7 @@ pub fn design(stem: &str) -> Design {
             segments: vec![segment(0.130, 0.042, 0.0), segment(0.050, 0.030, 0.0)],
             bodies: vec![body("head", 0.020, 1.6, 7.0e-4, 9.0e-4)],
             bearings: vec![bearing("B1", 0.060, rigid), bearing("B2", 0.130, rigid)],
-            drive: Drive { position: 0.180, torsional_stiffness: 1.2e4, inertia: 0.02 },
+            drive: Some(Drive { position: 0.180, torsional_stiffness: 1.2e4, inertia: 0.02 }),
         },
         gear: RotorDesign {
             teeth: Some(39),
@@ -202,7 +204,7 @@ pub fn design(stem: &str) -> Design {
             segments: vec![segment(0.060, 0.060, 0.0), segment(0.140, 0.090, 0.060)],
             bodies: vec![body("ring", 0.045, 9.0, 0.030, 0.058)],
             bearings: vec![bearing("B1", 0.085, rigid), bearing("B2", 0.170, rigid)],
-            drive: Drive { position: 0.200, torsional_stiffness: 3.0e4, inertia: 0.1 },
+            drive: Some(Drive { position: 0.200, torsional_stiffness: 3.0e4, inertia: 0.1 }),
         },
     }
 }

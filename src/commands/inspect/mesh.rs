@@ -86,7 +86,11 @@ impl MeshOutput {
         }
         write!(out, "{table}")?;
         if let Some(force) = self.normal_force_n {
-            writeln!(out, "mean normal force {} N; on each shaft: axial along y, radial towards its axis, tangential", significant(force, 6))?;
+            writeln!(
+                out,
+                "mean normal force {} N; on each shaft: axial along y, radial towards its axis, tangential",
+                significant(force, 6)
+            )?;
             write!(out, "{forces}")?;
         }
         if let Some((angle, offset)) = self.shaft_angle_deg.zip(self.offset_mm) {
@@ -103,10 +107,6 @@ impl ForceOutput {
     fn new(vectors: &MeshVectors, along: f64) -> Self {
         let ([x, _, z], [fx, fy, fz]) = (vectors.point, vectors.line_of_action.map(|component| component * along));
         let radius = x.hypot(z);
-        Self {
-            axial_n: fy,
-            radial_n: -(x * fx + z * fz) / radius,
-            tangential_n: (z * fx - x * fz) / radius,
-        }
+        Self { axial_n: fy, radial_n: -(x * fx + z * fz) / radius, tangential_n: (z * fx - x * fz) / radius }
     }
 }

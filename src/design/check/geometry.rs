@@ -60,7 +60,11 @@ fn contradictions(geometry: &MeshGeometry, path: &KeyPath, checker: &Checker<'_>
                 significant(pinion.to_degrees(), 6),
                 significant(gear.to_degrees(), 6)
             );
-            checker.error(&path.key("gear_spiral_angle_deg"), message, Some("pairs with an offset are kind = \"hypoid\""));
+            checker.error(
+                &path.key("gear_spiral_angle_deg"),
+                message,
+                Some("pairs with an offset are kind = \"hypoid\""),
+            );
         }
     }
     if matches!(geometry.kind, PairKind::SpiralBevel | PairKind::StraightBevel) {
@@ -73,7 +77,12 @@ fn contradictions(geometry: &MeshGeometry, path: &KeyPath, checker: &Checker<'_>
     let pair = geometry.pair();
     // of either sign, so that not-a-number warns of nothing
     if !geometry.kind.is_parallel() && pair.forces(1.0)[0].axial < 0.0 {
-        let message = "thrust pulls the pinion into mesh on this flank: it closes the backlash where a bearing gives way";
-        checker.warn(&path.key("hand"), message, Some("the usual choice is the other hand, or the other sense of rotation"));
+        let message =
+            "thrust pulls the pinion into mesh on this flank: it closes the backlash where a bearing gives way";
+        checker.warn(
+            &path.key("hand"),
+            message,
+            Some("the usual choice is the other hand, or the other sense of rotation"),
+        );
     }
 }

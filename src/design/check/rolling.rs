@@ -27,15 +27,21 @@ pub(super) fn check(bearing: &Bearing, path: &KeyPath, checker: &Checker<'_>) {
 const MEAN_STATES: [&str; 3] = ["displacement", "preload", "mean_load"];
 
 fn mean_state(written: [bool; 3], mounting: f64, angle: f64, path: &KeyPath, checker: &Checker<'_>) {
-    let keys: Vec<&str> = MEAN_STATES.into_iter().zip(written).filter(|(_, written)| *written).map(|(key, _)| key).collect();
+    let keys: Vec<&str> =
+        MEAN_STATES.into_iter().zip(written).filter(|(_, written)| *written).map(|(key, _)| key).collect();
     match keys[..] {
         [] => {
             let message = "its mean state is missing: exactly one of displacement, preload, mean_load is wanted";
-            checker.error(path, message, Some("for example preload = { y_n = 5000.0 }, or mean_load = \"from-torque\""));
+            checker.error(
+                path,
+                message,
+                Some("for example preload = { y_n = 5000.0 }, or mean_load = \"from-torque\""),
+            );
         }
         [_] => {}
         [first, second, ..] => {
-            let message = format!("goes with `{first}` never: exactly one of displacement, preload, mean_load is wanted");
+            let message =
+                format!("goes with `{first}` never: exactly one of displacement, preload, mean_load is wanted");
             checker.error(&path.key(second), message, None);
         }
     }
@@ -62,7 +68,8 @@ fn check_ball(ball: &BallBearing, path: &KeyPath, checker: &Checker<'_>) {
         ("inner_groove_factor", ball.inner_groove_factor),
         ("outer_groove_factor", ball.outer_groove_factor),
     ];
-    let first = |group: &[(&'static str, Option<f64>)]| group.iter().find(|(_, value)| value.is_some()).map(|(key, _)| *key);
+    let first =
+        |group: &[(&'static str, Option<f64>)]| group.iter().find(|(_, value)| value.is_some()).map(|(key, _)| *key);
     match (first(&contact), first(&geometry)) {
         (Some(contact), Some(geometry)) => {
             let message = format!("goes with `{contact}` never: give contact data or geometry, not both");
@@ -88,7 +95,8 @@ fn missing(group: &[(&'static str, Option<f64>)], path: &KeyPath, checker: &Chec
 fn sizes(ball: &BallBearing, path: &KeyPath, checker: &Checker<'_>) {
     let (diameter, pitch) = (ball.ball_diameter.unwrap_or(f64::NAN), ball.pitch_diameter.unwrap_or(f64::NAN));
     if diameter >= pitch {
-        let message = format!("must be less than pitch_diameter_mm, {:?} mm; it is {:?} mm", pitch * 1e3, diameter * 1e3);
+        let message =
+            format!("must be less than pitch_diameter_mm, {:?} mm; it is {:?} mm", pitch * 1e3, diameter * 1e3);
         checker.error(&path.key("ball_diameter_mm"), message, None);
     } else if ball.elements as f64 * diameter > PI * pitch {
         let message = format!("{} balls of {:?} mm do not fit on the pitch circle", ball.elements, diameter * 1e3);

@@ -37,8 +37,8 @@ const MEAN_STATES: [&str; 3] = ["displacement", "preload", "mean_load"];
 
 /// The value of a key that a ball or roller bearing starts with; what the old model says stays.
 fn typical(word: &str, row: &Tree, key: &'static str) -> Option<(&'static str, String)> {
-    let is_said = row.get(key).is_some()
-        || MEAN_STATES.contains(&key) && MEAN_STATES.iter().any(|key| row.get(key).is_some());
+    let is_said =
+        row.get(key).is_some() || MEAN_STATES.contains(&key) && MEAN_STATES.iter().any(|key| row.get(key).is_some());
     let value = TYPICAL.iter().find(|typical| (typical.0, typical.1) == (word, key));
     value.filter(|_| !is_said).map(|(.., value)| (key, (*value).to_owned()))
 }

@@ -2,7 +2,8 @@
 
 use crate::design::schema::{Kind, ROOT, Table};
 use crate::design::{
-    Analysis, Bearing, Body, Drive, KeyPath, Material, Mesh, MeshGeometry, MeshVectors, Operating, RotorDesign, Segment, Side,
+    Analysis, Bearing, Body, Drive, KeyPath, Material, Mesh, MeshGeometry, MeshVectors, Operating, RotorDesign,
+    Segment, Side,
 };
 
 /// One table, or list of tables, of every design.

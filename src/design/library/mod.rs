@@ -30,6 +30,10 @@ pub const SHIPPED: &[Shipped] = &[
     Shipped { file_name: "overhung-elastic.toml", text: include_str!("../../../designs/overhung-elastic.toml") },
     Shipped { file_name: "overhung-rigid.toml", text: include_str!("../../../designs/overhung-rigid.toml") },
     Shipped { file_name: "straddle-elastic.toml", text: include_str!("../../../designs/straddle-elastic.toml") },
+    Shipped { file_name: "straddle-helical.toml", text: include_str!("../../../designs/straddle-helical.toml") },
+    Shipped { file_name: "tapered-axle.toml", text: include_str!("../../../designs/tapered-axle.toml") },
+    Shipped { file_name: "tapered-hypoid.toml", text: include_str!("../../../designs/tapered-hypoid.toml") },
+    Shipped { file_name: "turbine-generator.toml", text: include_str!("../../../designs/turbine-generator.toml") },
 ];
 
 /// One file of a library: its design, or why there is none.

@@ -1,0 +1,158 @@
+//! `mesh-stiffness`, `import-mesh`, and what `inspect` says of bearings and teeth, from outside.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use bevelscope::design::{Edit, Editor, KeyPath, Spelled, read};
+use bevelscope::gear::COLUMNS;
+use serde_json::Value;
+
+fn bevelscope(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bevelscope")).args(arguments).output().unwrap()
+}
+
+fn design(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("designs").join(format!("{name}.toml")).display().to_string()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = bevelscope(arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+// Sample 1 of ISO 23509: 6.4e8 N/m.
+#[test]
+fn the_estimate_says_that_it_is_one() {
+    let output = bevelscope(&["mesh-stiffness", "--face-width-mm", "21.59", "--spiral-angle-deg", "35"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("stiffness_n_per_m = 6.435e8") && text.contains("estimate: ISO 10300-1"), "{text}");
+    let refused = bevelscope(&["mesh-stiffness", "--face-width-mm", "0"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("face width must be greater than 0"));
+}
+
+#[test]
+fn a_flank_of_a_table_goes_into_a_design() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let coast = "coast,5.1e8,4,0,0,27.46,-0.76975,0.39173,0.50401,0,0,76.49,0.76975,0.50401,0.39173";
+    let drive = "drive,6e8,3,0,0.1,27.46,0.76975,-0.62285,0.1398,0,0,76.49,-0.76975,0.1398,-0.62285";
+    std::fs::write(path("mesh.csv"), format!("{}\n{drive}\n{coast}\n", COLUMNS.join(","))).unwrap();
+    let source = design("tapered-axle");
+    let import = |flank: &str, out: &str| {
+        bevelscope(&["import-mesh", &path("mesh.csv"), &source, "--flank", flank, "-o", &path(out)])
+    };
+    let output = import("coast", "out.toml");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(path("out.toml")).unwrap();
+    let read_back = read(&text).design.unwrap();
+    assert_eq!((read_back.mesh.stiffness, read_back.mesh.transmission_error), (5.1e8, 4e-6));
+    assert_eq!((read_back.mesh.geometry, read_back.mesh.gear.point), (None, [0.0, 0.0, 0.07649]));
+    // every other line is as it was
+    let old = std::fs::read_to_string(&source).unwrap();
+    let own = |line: &&str| !line.starts_with("stiffness_n_per_m") && !line.starts_with("transmission_error_um");
+    let bearings = old.find("# Tapered rollers").unwrap();
+    assert!(old[bearings..].lines().filter(own).all(|line| text.contains(line)), "{text}");
+    // a file that is there stays
+    let again = import("drive", "out.toml");
+    assert_eq!(again.status.code(), Some(2));
+    assert_eq!(std::fs::read_to_string(path("out.toml")).unwrap(), text);
+    std::fs::write(path("mesh.csv"), format!("{}\n{}\n", COLUMNS.join(","), drive.replace("27.46", "x\u{1b}[2J")))
+        .unwrap();
+    let wrong = import("drive", "other.toml");
+    let message = String::from_utf8_lossy(&wrong.stderr).into_owned();
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(
+        message.contains("mesh.csv: line 2: pinion_point_z_mm must be a number") && !message.contains('\u{1b}'),
+        "{message}"
+    );
+    std::fs::write(path("mesh.csv"), format!("{}\n{drive}\n", COLUMNS.join(","))).unwrap();
+    let missing = import("coast", "other.toml");
+    assert!(String::from_utf8_lossy(&missing.stderr).contains("no line for the flank coast"));
+    assert!(!Path::new(&path("other.toml")).exists());
+}
+
+#[test]
+fn inspect_shows_bearings_and_forces() {
+    let value = json(&["inspect", &design("tapered-axle"), "--format", "json"]);
+    let mesh = &value["mesh"];
+    // ISO/TR 10300-30: 14193.3 N, 1200 rpm on 14 teeth
+    assert!((number(&mesh["normal_force_n"]) / 14193.3 - 1.0).abs() < 1e-4);
+    assert!((number(&mesh["mesh_frequency_hz"]) - 280.0).abs() < 1e-9);
+    assert!((number(&mesh["shaft_angle_deg"]) - 90.0).abs() < 1e-9 && number(&mesh["offset_mm"]).abs() < 1e-9);
+    let force = |side: &str, key: &str| number(&mesh[side]["force"][key]);
+    assert!((force("pinion", "axial_n") / 10925.3 - 0.80915).abs() < 1e-4);
+    assert!((force("pinion", "axial_n") - force("gear", "radial_n")).abs() < 1.0);
+    let mut thrust = 0.0;
+    for bearing in value["pinion"]["bearings"].as_array().unwrap() {
+        let state = &bearing["mean_state"];
+        thrust += number(&state["load"]["y_n"]);
+        let loads = state["element_loads_n"].as_array().unwrap();
+        let loaded = loads.iter().filter(|load| number(load) > 0.0).count() as u64;
+        assert_eq!(state["loaded_elements"], loaded);
+        assert_eq!(state["elements"], loads.len());
+        assert!(number(&bearing["stiffness"][1][1]) > 1e7);
+    }
+    assert!((thrust / force("pinion", "axial_n") - 1.0).abs() < 1e-9, "the bearings take the thrust");
+    assert!(json(&["inspect", &design("overhung-elastic"), "--format", "json"])["mesh"]["normal_force_n"].is_null());
+}
+
+#[test]
+fn without_drives_there_are_twelve_lumped_coordinates() {
+    let path = design("turbine-generator");
+    assert_eq!(json(&["inspect", &path, "--format", "json"])["coordinates"]["lumped"], 12);
+    let modes = json(&["modes", &path, "--format", "json"]);
+    for model in ["fe", "enhanced", "basic"] {
+        let modes = modes["models"][model].as_array().unwrap();
+        assert_eq!(number(&modes[0]["frequency_hz"]), 0.0, "{model}");
+        assert!(number(&modes[1]["frequency_hz"]) > 0.1, "{model}");
+        assert!(
+            (number(&modes[0]["energy_share"]["pinion"]["torsion"])
+                + number(&modes[0]["energy_share"]["gear"]["torsion"])
+                - 1.0)
+                .abs()
+                < 1e-9
+        );
+    }
+    // one drive: thirteen
+    let mut editor = Editor::new(std::fs::read_to_string(design("overhung-elastic")).unwrap()).unwrap();
+    editor.apply(&Edit::Remove { path: "gear.drive".parse::<KeyPath>().unwrap() }).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("one.toml").display().to_string();
+    std::fs::write(&file, editor.text()).unwrap();
+    assert_eq!(json(&["inspect", &file, "--format", "json"])["coordinates"]["lumped"], 13);
+    assert!(
+        !json(&["solve", &file, "--format", "json"])["models"]["fe"]["mesh_force_n"]["re"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+}
+
+#[test]
+fn switching_a_bearing_to_balls_or_rollers_gives_a_valid_design() {
+    let text = std::fs::read_to_string(design("overhung-elastic")).unwrap();
+    for models in [["ball", "roller"], ["roller", "ball"]] {
+        let mut editor = Editor::new(text.as_str()).unwrap();
+        for model in models {
+            let bearing: KeyPath = "pinion.bearing[0]".parse().unwrap();
+            editor.apply(&Edit::SetModel { bearing: bearing.clone(), model: model.into() }).unwrap();
+            let reading = editor.reading();
+            assert_eq!(reading.findings, [], "{model}: {}", editor.text());
+            assert_eq!(reading.design.as_ref().unwrap().pinion.bearings[0].model.word(), model);
+            let set = Edit::Set { path: bearing.key("preload").key("x_n"), value: Spelled::parse("150.0").unwrap() };
+            editor.apply(&set).unwrap();
+            assert!(editor.reading().design.is_some(), "{}", editor.text());
+            editor.undo();
+        }
+        while editor.undo().is_some() {}
+        assert_eq!(editor.text(), text);
+    }
+}
