@@ -54,7 +54,7 @@ fn a_flank_of_a_table_goes_into_a_design() {
     let text = std::fs::read_to_string(path("out.toml")).unwrap();
     let read_back = read(&text).design.unwrap();
     assert_eq!((read_back.mesh.stiffness, read_back.mesh.transmission_error), (5.1e8, 4e-6));
-    assert_eq!((read_back.mesh.geometry, read_back.mesh.gear.point), (None, [0.0, 0.0, 0.07649]));
+    assert_eq!((read_back.mesh.geometry, read_back.mesh.gear.point), (None, [0.0, 0.0, 76.49 / 1e3]));
     // every other line is as it was
     let old = std::fs::read_to_string(&source).unwrap();
     let own = |line: &&str| !line.starts_with("stiffness_n_per_m") && !line.starts_with("transmission_error_um");
@@ -145,7 +145,8 @@ fn switching_a_bearing_to_balls_or_rollers_gives_a_valid_design() {
             let bearing: KeyPath = "pinion.bearing[0]".parse().unwrap();
             editor.apply(&Edit::SetModel { bearing: bearing.clone(), model: model.into() }).unwrap();
             let reading = editor.reading();
-            assert_eq!(reading.findings, [], "{model}: {}", editor.text());
+            // as many balls as there were rollers may not fit, which is a warning
+            assert_eq!(reading.errors().next(), None, "{model}: {}", editor.text());
             assert_eq!(reading.design.as_ref().unwrap().pinion.bearings[0].model.word(), model);
             let set = Edit::Set { path: bearing.key("preload").key("x_n"), value: Spelled::parse("150.0").unwrap() };
             editor.apply(&set).unwrap();

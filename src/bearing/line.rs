@@ -81,8 +81,9 @@ mod tests {
                     let size = (delta.abs() + tilt.abs() * length).powf(m);
                     for k in 0..3 {
                         let error = (found[k] - expected[k]).abs() / (size * length.powi(k as i32));
-                        // a slice that is partly loaded is what is left of the slices' error: (1/20,000)^(1 + m)
-                        assert!(error < 3e-6, "m {m}, delta {delta}, tilt {tilt}, k {k}: {error:.1e}");
+                        // the one slice that is partly loaded is off by its own size, the others by that of the midpoint rule
+                        let tolerance = 2.0 * (1.0 / 20_000_f64).powf(1.0 + m) + 1e-8;
+                        assert!(error < tolerance, "m {m}, delta {delta}, tilt {tilt}, k {k}: {error:.1e}");
                     }
                 }
             }

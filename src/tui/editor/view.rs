@@ -52,9 +52,9 @@ impl Tab {
             Self::Segments => vec![Sheet::segments(side)],
             Self::Bearings => vec![Sheet::bearings(side)],
             Self::Bodies => vec![Sheet::bodies(side)],
-            Self::Mesh => vec![Sheet::mesh(), Sheet::mesh_side(side), Sheet::rotor(side)],
+            Self::Mesh => vec![Sheet::mesh(), Sheet::mesh_side(side), Sheet::rotor(side), Sheet::mesh_geometry()],
             Self::Drives => vec![Sheet::drive(side)],
-            Self::Analysis => vec![Sheet::analysis()],
+            Self::Analysis => vec![Sheet::analysis(), Sheet::operating()],
             Self::Materials => vec![Sheet::materials()],
             Self::Design => vec![Sheet::design()],
         }
@@ -69,7 +69,7 @@ impl Tab {
         let side = |name: &str| Side::BOTH.into_iter().find(|side| side.name() == name);
         match (key(0), key(1)) {
             ("mesh", below) => (Self::Mesh, side(below)),
-            ("analysis", _) => (Self::Analysis, None),
+            ("analysis" | "operating", _) => (Self::Analysis, None),
             ("material", _) => (Self::Materials, None),
             (rotor, below) if side(rotor).is_some() => {
                 let tab = match below {
