@@ -155,8 +155,10 @@ fn check_lists_a_folder_by_file_name() {
 #[test]
 fn check_judges_the_enhanced_model_by_the_limits() {
     let status = |limits: &[&str]| {
-        let designs = designs().display().to_string();
-        let arguments: Vec<&str> = ["check", designs.as_str()].into_iter().chain(limits.iter().copied()).collect();
+        let of_the_paper = ["overhung-elastic", "overhung-rigid", "straddle-elastic"];
+        let files = of_the_paper.map(|name| designs().join(format!("{name}.toml")).display().to_string());
+        let files = files.iter().map(String::as_str);
+        let arguments: Vec<&str> = std::iter::once("check").chain(files).chain(limits.iter().copied()).collect();
         bevelscope(&arguments).status.code().unwrap()
     };
     // 3.72 dB and 2,997 Hz are the worst of the three

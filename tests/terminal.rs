@@ -212,7 +212,7 @@ const FRAME: &str = "trust up to 2,997 Hz";
 fn the_program_shows_the_shipped_designs() {
     let mut terminal = Terminal::program(&[concat!(env!("CARGO_MANIFEST_DIR"), "/designs")], &[]);
     terminal.wait_for_text("enhanced: trust up to 2,997 Hz,  3.72 dB RMS");
-    terminal.press("G");
+    terminal.press("jj");
     terminal.wait_for_text("enhanced: trust up to 3,364 Hz,  2.79 dB RMS");
     terminal.press("?");
     // all of its frame, or the Esc and the q after it come as one key

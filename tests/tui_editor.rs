@@ -433,8 +433,8 @@ fn another(cell: &Cell) -> String {
         CellKind::Texts => "one, two".into(),
         CellKind::Choice(_) | CellKind::Model(_) => {
             let words = cell.kind.words();
-            let at = words.iter().position(|word| *word == old).unwrap();
-            words[(at + 1) % words.len()].into()
+            let next = words.iter().position(|word| *word == old).map_or(0, |at| at + 1);
+            words[next % words.len()].into()
         }
         CellKind::Flags(_) => "x".into(),
     }

@@ -70,11 +70,11 @@ fn rotor(value: &Value) -> RotorDesign {
             polar_inertia: number(&body["polar_inertia"]),
         }),
         bearings: list(&value["bearings"], bearing),
-        drive: Drive {
+        drive: Some(Drive {
             position: number(&drive["position"]),
             torsional_stiffness: number(&drive["torsional_stiffness"]),
             inertia: number(&drive["inertia"]),
-        },
+        }),
     }
 }
 
@@ -97,6 +97,7 @@ fn design(value: &Value) -> Design {
         tags: Vec::new(),
         parent: None,
         note: None,
+        operating: None,
         analysis: Analysis {
             frequency_min: 1.0,
             frequency_max: 5000.0,
@@ -113,6 +114,7 @@ fn design(value: &Value) -> Design {
             transmission_error: number(&value["mesh"]["transmission_error"]),
             pinion: vectors(&value["mesh"]["pinion"]),
             gear: vectors(&value["mesh"]["gear"]),
+            geometry: None,
         },
         pinion: rotor(&value["pinion"]),
         gear: rotor(&value["gear"]),

@@ -11,13 +11,17 @@ use crate::rotor::{mesh_vector, signed};
 pub struct MeshOutput {
     pinion: SideOutput,
     gear: SideOutput,
-    /// Between both y axes; null unless the design has gear data
+    /// Between both y axes; only where the design has gear data
+    #[serde(skip_serializing_if = "Option::is_none")]
     shaft_angle_deg: Option<f64>,
-    /// Shortest distance of the axes; null unless the design has gear data
+    /// Shortest distance of the axes; only where the design has gear data
+    #[serde(skip_serializing_if = "Option::is_none")]
     offset_mm: Option<f64>,
-    /// Null without a torque
+    /// Only with a torque
+    #[serde(skip_serializing_if = "Option::is_none")]
     normal_force_n: Option<f64>,
-    /// Null without a speed and the pinion's teeth
+    /// Only with a speed and the pinion's teeth
+    #[serde(skip_serializing_if = "Option::is_none")]
     mesh_frequency_hz: Option<f64>,
 }
 
@@ -27,6 +31,7 @@ struct SideOutput {
     point_mm: [f64; 3],
     line_of_action: [f64; 3],
     torque_arm_mm: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
     force: Option<ForceOutput>,
 }
 

@@ -86,7 +86,8 @@ struct BearingOutput<'a> {
     /// Translations that are held; the stiffness says nothing of them
     hold: Vec<&'static str>,
     stiffness: [[f64; 6]; 6],
-    /// Of ball and roller bearings; null for others
+    /// Of ball and roller bearings only
+    #[serde(skip_serializing_if = "Option::is_none")]
     mean_state: Option<MeanStateOutput>,
 }
 
