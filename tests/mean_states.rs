@@ -92,6 +92,9 @@ struct Case {
     design: Design,
 }
 
+/// Numbers of one shaft: sizes, bearings, preloads.
+type Drawn = ((f64, f64, f64, f64, f64), (bool, f64, f64, bool, bool), (f64, f64));
+
 /// Shafts of any kind on two bearings set against each other, or on three, under any torque that leaves them in contact.
 fn cases() -> impl Strategy<Value = Case> {
     let shaft = (0.15..0.4_f64, 0.035..0.06_f64, 0.05..0.95_f64, 0.1..0.35_f64, 0.6..0.9_f64);
@@ -100,24 +103,25 @@ fn cases() -> impl Strategy<Value = Case> {
     let line = [-1.0..1.0_f64, -0.7..0.7, 0.3..1.0];
     let one = (shaft, bearings, preload);
     (one.clone(), one, 20.0..400.0_f64, line, 0.02..0.05_f64).prop_map(|(pinion, gear, torque, line, radius)| {
-        let one = |((length, diameter, mesh, a, b), (balls, taper_angle, ball_angle, crossed, third), (p, q)): (
-            (f64, f64, f64, f64, f64),
-            (bool, f64, f64, bool, bool),
-            (f64, f64),
-        )| {
-            let turn = if crossed { -1.0 } else { 1.0 };
-            let mut bearings = if balls {
-                vec![ball(a * length, turn * ball_angle, p), ball(b * length, -turn * ball_angle, q)]
-            } else {
-                vec![taper(a * length, turn * taper_angle, 0.017, p), taper(b * length, -turn * taper_angle, 0.012, q)]
+        let one =
+            |((length, diameter, mesh, a, b), (balls, taper_angle, ball_angle, crossed, third), (p, q)): Drawn| {
+                let turn = if crossed { -1.0 } else { 1.0 };
+                let mut bearings = if balls {
+                    vec![ball(a * length, turn * ball_angle, p), ball(b * length, -turn * ball_angle, q)]
+                } else {
+                    vec![
+                        taper(a * length, turn * taper_angle, 0.017, p),
+                        taper(b * length, -turn * taper_angle, 0.012, q),
+                    ]
+                };
+                if third {
+                    bearings.push(support::spring(length, [3e7, 0.0, 2e7, 0.0, 0.0]));
+                }
+                let segments =
+                    vec![steel_shaft(length / 2.0, diameter, 2), steel_shaft(length / 2.0, 0.9 * diameter, 1)];
+                let shaft = rotor(segments, vec![disc(mesh * length, 1.0, 1e-3, 1e-3)], bearings);
+                RotorDesign { mesh_position: mesh * length, drive: if third { None } else { shaft.drive }, ..shaft }
             };
-            if third {
-                bearings.push(support::spring(length, [3e7, 0.0, 2e7, 0.0, 0.0]));
-            }
-            let segments = vec![steel_shaft(length / 2.0, diameter, 2), steel_shaft(length / 2.0, 0.9 * diameter, 1)];
-            let shaft = rotor(segments, vec![disc(mesh * length, 1.0, 1e-3, 1e-3)], bearings);
-            RotorDesign { mesh_position: mesh * length, drive: if third { None } else { shaft.drive }, ..shaft }
-        };
         let mut out = design(BeamTheory::Timoshenko, FRISWELL_STEEL, one(pinion), one(gear));
         // x carries the torque
         let line = unit([line[0] + 1.5 * line[0].signum(), line[1], line[2]]);

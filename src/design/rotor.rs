@@ -119,10 +119,6 @@ tables! {
 
 /// How a bearing carries the shaft.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a design has a handful of bearings: a plain value is worth more than 250 bytes"
-)]
 pub enum BearingModel {
     /// Five independent springs.
     Diagonal(DiagonalBearing),

@@ -36,6 +36,7 @@ struct SideOutput {
 }
 
 /// On this shaft at the mesh point.
+#[expect(clippy::struct_field_names, reason = "the names are keys, which carry their unit")]
 #[derive(serde::Serialize)]
 struct ForceOutput {
     /// Along y

@@ -16,13 +16,12 @@ enum Axial {
 fn axial(bearing: &Bearing) -> Axial {
     let stiffness = match &bearing.model {
         BearingModel::Rigid(hold) if hold.y => return Axial::Held,
-        BearingModel::Rigid(_) => 0.0,
         BearingModel::Diagonal(diagonal) => diagonal.ky,
         BearingModel::Matrix(matrix) => matrix[1][1],
-        BearingModel::Ball(_) => return Axial::Elastic,
-        // not-a-number, which stands in for what could not be read, is an angle too
-        BearingModel::Roller(roller) if roller.contact_angle == 0.0 => 0.0,
-        BearingModel::Roller(_) => return Axial::Elastic,
+        BearingModel::Rigid(_) => 0.0,
+        // all but cylindrical roller bearings take thrust
+        BearingModel::Roller(roller) => f64::from(u8::from(roller.contact_angle != 0.0)),
+        BearingModel::Ball(_) => 1.0,
     };
     if stiffness == 0.0 { Axial::Free } else { Axial::Elastic }
 }

@@ -95,13 +95,11 @@ fn choice(bearing: &KeyPath) -> Option<(&'static Field, &'static [Variant])> {
 }
 
 fn table_of(variants: &'static [Variant], word: &str) -> Result<&'static Table, EditError> {
-    match variants.iter().find(|variant| variant.word == word) {
-        Some(Variant { table, .. }) => Ok(table),
-        None => {
-            let words: Vec<&str> = variants.iter().map(|v| v.word).collect();
-            Err(EditError::Refused(format!("the model must be one of {}", words.join(", "))))
-        }
-    }
+    let variant = variants.iter().find(|variant| variant.word == word);
+    variant.map(|variant| variant.table).ok_or_else(|| {
+        let words: Vec<&str> = variants.iter().map(|v| v.word).collect();
+        EditError::Refused(format!("the model must be one of {}", words.join(", ")))
+    })
 }
 
 /// The keys that the new model starts with.
