@@ -1,5 +1,7 @@
 //! Seven bearings computed by an independent program, to eight digits: displacement, loads and stiffness.
 
+#![allow(clippy::unreadable_literal, reason = "figures as the other program printed them")]
+
 use bevelscope::bearing::{Bearing, Kind, Matrix, Vector, equilibrium};
 
 use crate::{ball, bearing, difference, roller};
