@@ -10,7 +10,13 @@ mod vectors;
 
 use bevelscope::bearing::{Bearing, Data, Kind, Matrix};
 
-pub(crate) fn ball(elements: usize, angle_deg: f64, contact_stiffness: f64, radius: f64, groove_distance: f64) -> Bearing {
+pub(crate) fn ball(
+    elements: usize,
+    angle_deg: f64,
+    contact_stiffness: f64,
+    radius: f64,
+    groove_distance: f64,
+) -> Bearing {
     let kind = Kind::Ball { groove_distance };
     bearing(elements, angle_deg, contact_stiffness, radius, 0.0, kind)
 }
