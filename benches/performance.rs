@@ -28,7 +28,7 @@ fn main() {
 fn kernels(design: &Design, text: &str) {
     let rotors = Rotors::new(design).expect("rotors");
     let lines = frequency_lines(&design.analysis);
-    let fe = Model::new(ModelKind::Fe, design, &rotors);
+    let fe = Model::new(ModelKind::Fe, design, &rotors).expect("model");
     let direct = median(3, || drop(black_box(direct_spectrum(&fe, &lines))));
     println!("direct solve, FE, dense complex LU a line    {:>10}", shown(direct));
     let beside = |name: &str, time: Duration| {

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::agreement::{Agreement, AgreementError, Tolerance, difference_db};
 use crate::design::Design;
-use crate::model::{Model, ModelKind, Rotors, RotorsError};
+use crate::model::{Model, ModelError, ModelKind, Rotors, RotorsError};
 use crate::response::{Compliance, ResponseError, frequency_lines};
 
 pub use crate::response::Spectrum;
@@ -38,6 +38,8 @@ impl Comparison {
 pub enum SolveError {
     #[error(transparent)]
     Rotors(#[from] RotorsError),
+    #[error(transparent)]
+    Model(#[from] ModelError),
     #[error("{} model: {error}", kind.name())]
     Response { kind: ModelKind, error: ResponseError },
     #[error(transparent)]
@@ -55,7 +57,7 @@ pub type Observer<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
 ///
 /// [`SolveError::Response`] names the model and the result that cannot be computed.
 pub fn solve(kind: ModelKind, design: &Design, rotors: &Rotors, frequency_hz: &[f64]) -> Result<Spectrum, SolveError> {
-    let model = Model::new(kind, design, rotors);
+    let model = Model::new(kind, design, rotors)?;
     Spectrum::new(&model, frequency_hz).map_err(|error| SolveError::Response { kind, error })
 }
 
@@ -80,7 +82,8 @@ pub fn compare_over(
 ) -> Result<Comparison, SolveError> {
     let rotors = Rotors::new(design)?;
     let frequency_hz = frequency_lines(&design.analysis);
-    let models = ModelKind::ALL.map(|kind| Model::new(kind, design, &rotors));
+    let model = |kind| Model::new(kind, design, &rotors);
+    let models = [model(ModelKind::Fe)?, model(ModelKind::Enhanced)?, model(ModelKind::Basic)?];
     let mut progress = Progress::new(&models, frequency_hz.len(), observer);
     let mut solved = |model: &Model| observed_spectrum(model, &frequency_hz, &mut progress);
     let [fe, enhanced, basic] = &models;

@@ -93,6 +93,36 @@ fn models_are_chosen_and_ordered() {
 }
 
 #[test]
+fn reduced_models_stand_beside_the_others() {
+    let models = ["reduced:3,fe,reduced:0", "--format"];
+    let json = bevelscope(&[["solve", &elastic(), "--model"].as_slice(), &models, &["json"]].concat());
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["models"].as_object().unwrap().keys().collect::<Vec<_>>(), ["reduced_3", "fe", "reduced_0"]);
+    assert_eq!(
+        (&json["models"]["reduced_3"]["coordinates"], &json["models"]["reduced_0"]["coordinates"]),
+        (&20.into(), &14.into())
+    );
+    let csv = bevelscope(&[["solve", &elastic(), "--model"].as_slice(), &models, &["csv"]].concat());
+    let header = stdout(&csv).lines().next().unwrap();
+    assert!(header.starts_with("frequency_hz,reduced_3_mesh_force_n_re,reduced_3_mesh_force_n_im,"), "{header}");
+    let json = bevelscope(&[["modes", &elastic(), "--model"].as_slice(), &models, &["json"]].concat());
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["models"]["reduced_3"].as_array().unwrap().len(), 20);
+    assert_eq!(json["models"]["reduced_3"][1]["paired_with"]["fe_mode"], 1);
+    for format in ["solve", "modes"] {
+        let table = bevelscope(&[[format, &elastic(), "--model"].as_slice(), &models, &["table"]].concat());
+        assert!(table.status.success() && stdout(&table).lines().all(|line| line.chars().count() <= 80));
+    }
+    for wrong in ["reduced", "reduced:x", "reduced:-1", "fem"] {
+        refused(&["solve", &elastic(), "--model", wrong], &[wrong, "reduced:K"]);
+    }
+    let check = bevelscope(&["check", designs().to_str().unwrap(), "--format", "json"]);
+    let check: Value = serde_json::from_slice(&check.stdout).unwrap();
+    let modes = [0, 1, 2].map(|row: usize| check[row]["reduced_modes_for_1_db"].as_u64());
+    assert_eq!(modes, [Some(2), Some(1), Some(6)]);
+}
+
+#[test]
 fn tables_fit_eighty_columns_and_say_their_units() {
     for (arguments, units) in [
         (vec!["solve", "--format", "table"], vec!["Hz", "F, N", "deg", "um"]),

@@ -4,13 +4,15 @@ mod bands;
 mod differences;
 mod pairing;
 mod peaks;
+mod reduction;
 
 use num_complex::Complex64;
 
-pub use bands::{Band, agreement_limit, sixth_octave_bands};
+pub use bands::{Band, agreement_limit, band_level_db, sixth_octave_bands};
 pub use differences::{difference_db, frac};
 pub use pairing::{ModePair, pair_modes};
 pub use peaks::{Peak, PeakPair, pair_peaks, peaks};
+pub use reduction::reduced_modes_for;
 
 /// How far the sixth-octave levels may differ for the agreement limit, dB.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,6 @@ mod solve;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use clap::builder::PossibleValue;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::comparison::SolveError;
@@ -144,7 +143,8 @@ struct FileArg {
 /// The models of a command.
 #[derive(Debug, clap::Args)]
 struct ModelArg {
-    /// Models, separated by commas, in the order of the output
+    /// Models, separated by commas, in the order of the output: fe, enhanced, basic, reduced:K (each rotor with its K lowest
+    /// fixed-interface modes)
     #[arg(long, value_delimiter = ',', default_value = "fe,enhanced,basic")]
     model: Vec<ModelKind>,
 }
@@ -159,15 +159,5 @@ impl ModelArg {
             }
         }
         kinds
-    }
-}
-
-impl ValueEnum for ModelKind {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.name()).help(self.title()))
     }
 }

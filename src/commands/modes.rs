@@ -29,13 +29,11 @@ pub struct Args {
 
 pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<Status, CommandError> {
     let loaded = input::load(&args.file.file, err)?;
-    let solved = solve(&loaded.design).map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
-    let wanted = args.models.kinds();
-    let wanted: Vec<&Solved> =
-        wanted.iter().flat_map(|kind| solved.iter().filter(move |model| model.kind == *kind)).collect();
+    let solved = solve(&loaded.design, &args.models.kinds())
+        .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
     match args.format {
-        Format::Json => json::write(out, &Output::new(&loaded.design, &wanted))?,
-        Format::Table => write_tables(out, &loaded.design, &wanted)?,
+        Format::Json => json::write(out, &Output::new(&loaded.design, &solved))?,
+        Format::Table => write_tables(out, &loaded.design, &solved)?,
     }
     Ok(Status::Success)
 }
@@ -55,27 +53,26 @@ struct Partner {
     mac: f64,
 }
 
-fn solve(design: &Design) -> Result<[Solved; 3], SolveError> {
+fn solve(design: &Design, kinds: &[ModelKind]) -> Result<Vec<Solved>, SolveError> {
     let rotors = Rotors::new(design)?;
-    let modes = |kind| {
-        let model = Model::new(kind, design, &rotors);
-        match Modes::new(&model, MOST_FE_MODES) {
-            Ok(modes) => Ok((model, modes)),
-            Err(error) => Err(SolveError::Response { kind, error }),
-        }
+    let modes = |kind| -> Result<(Model, Modes), SolveError> {
+        let model = Model::new(kind, design, &rotors)?;
+        let modes = Modes::new(&model, MOST_FE_MODES).map_err(|error| SolveError::Response { kind, error })?;
+        Ok((model, modes))
     };
-    let (fe, enhanced, basic) = (modes(ModelKind::Fe)?, modes(ModelKind::Enhanced)?, modes(ModelKind::Basic)?);
-    let with_partners = |(model, modes): &(Model, Modes)| {
-        let pairs = pair_modes((model, modes), (&fe.0, &fe.1), &enhanced.0);
+    let fe = modes(ModelKind::Fe)?;
+    let enhanced = Model::new(ModelKind::Enhanced, design, &rotors)?;
+    let with_partners = |(model, modes): (Model, Modes)| {
+        let pairs = pair_modes((&model, &modes), (&fe.0, &fe.1), &enhanced);
         let partner =
             |pair: &ModePair| Partner { fe_mode: pair.fe, fe_hz: fe.1.0[pair.fe].frequency_hz, mac: pair.mac };
         let find = |i: usize| pairs.iter().find(|pair| pair.lumped == i).map(partner);
-        let modes = modes.0.iter().enumerate().map(|(i, mode)| (mode.clone(), find(i))).collect();
+        let modes = modes.0.into_iter().enumerate().map(|(i, mode)| (mode, find(i))).collect();
         Solved { kind: model.kind, modes }
     };
-    let (enhanced_modes, basic_modes) = (with_partners(&enhanced), with_partners(&basic));
-    let fe_modes = fe.1.0.into_iter().map(|mode| (mode, None)).collect();
-    Ok([Solved { kind: ModelKind::Fe, modes: fe_modes }, enhanced_modes, basic_modes])
+    let of_fe = || Solved { kind: ModelKind::Fe, modes: fe.1.0.iter().map(|mode| (mode.clone(), None)).collect() };
+    let solved = |kind| if kind == ModelKind::Fe { Ok(of_fe()) } else { modes(kind).map(with_partners) };
+    kinds.iter().copied().map(solved).collect()
 }
 
 #[derive(serde::Serialize)]
@@ -113,7 +110,7 @@ impl From<EnergyShare> for ShareOutput {
 }
 
 impl<'a> Output<'a> {
-    fn new(design: &'a Design, models: &[&Solved]) -> Self {
+    fn new(design: &'a Design, models: &[Solved]) -> Self {
         let models = models.iter().map(|model| {
             let mode = |(mode, partner): &(Mode, Option<Partner>)| ModeOutput {
                 frequency_hz: mode.frequency_hz,
@@ -126,7 +123,7 @@ impl<'a> Output<'a> {
     }
 }
 
-fn write_tables(out: &mut impl Write, design: &Design, models: &[&Solved]) -> io::Result<()> {
+fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io::Result<()> {
     writeln!(out, "{}", printable(&design.name))?;
     writeln!(out, "kinetic energy in %: lateral x, z; axial y; tilt thx, thz; torsion thy, drive")?;
     for model in models {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::mesh::{mesh_vector, signed};
-use super::{Coordinate, Place, RotorModel};
+use super::{Coordinate, RotorModel};
 use crate::design::{Design, Side};
 use crate::rotor::{Motion, Rotor, ShaftMatrices};
 
@@ -33,11 +33,11 @@ pub fn rotor(design: &Design, rotor: &Rotor, side: Side) -> RotorModel {
         if station == rotor.stations.drive && Motion::ALL[motion] == Motion::ThY {
             join_drive(&mut stiffness, row, n, input.drive.torsional_stiffness);
         }
-        coordinates.push(Coordinate { place: Place::Station(station), motion: Motion::ALL[motion] });
+        coordinates.push(Coordinate::Station(station, Motion::ALL[motion]));
     }
     mass[(n, n)] = input.drive.inertia;
-    coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
-    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station }
+    coordinates.push(Coordinate::Drive);
+    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station, reduction: None }
 }
 
 /// Adds a torsional spring (N m/rad) between two coordinates.

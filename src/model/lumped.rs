@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::mesh::{mesh_vector, signed};
-use super::{Coordinate, Place, RotorModel, fe};
+use super::{Coordinate, RotorModel, fe};
 use crate::design::{Design, Side};
 use crate::rotor::{Motion, Rotor};
 
@@ -31,26 +31,38 @@ impl LumpedMass {
     }
 }
 
-/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation.
-pub fn rotor(design: &Design, rotor: &Rotor, side: Side, masses: LumpedMass) -> RotorModel {
-    const SHAFT_ROTATION: usize = 4;
-    const DRIVE: usize = 6;
-    let input = design.rotor(side);
+/// Index of the shaft's rotation thy among the coordinates of a lumped rotor.
+const SHAFT_ROTATION: usize = 4;
+/// Index of the drive's rotation.
+const DRIVE: usize = 6;
+
+/// `K_ll` (35) and the torsional spring to the drive: N/m, N, N m/rad; order x, y, z, thx, thy, thz, drive.
+pub(super) fn stiffness(design: &Design, rotor: &Rotor, side: Side) -> DMatrix<f64> {
     let mut stiffness = DMatrix::zeros(7, 7);
     stiffness.fixed_view_mut::<6, 6>(0, 0).copy_from(&rotor.statics.shaft_bearing_stiffness);
     // the shaft's own torsion lies in series: without it the low-frequency response would be wrong
-    let spring = 1.0 / (1.0 / input.drive.torsional_stiffness + rotor.stations.torsional_compliance());
+    let drive = &design.rotor(side).drive;
+    let spring = 1.0 / (1.0 / drive.torsional_stiffness + rotor.stations.torsional_compliance());
     fe::join_drive(&mut stiffness, SHAFT_ROTATION, DRIVE, spring);
+    stiffness
+}
+
+/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation.
+pub fn rotor(design: &Design, rotor: &Rotor, side: Side, masses: LumpedMass) -> RotorModel {
     let mut mass = DMatrix::zeros(7, 7);
     for (i, value) in masses.diagonal(rotor).into_iter().enumerate() {
         mass[(i, i)] = value;
     }
-    mass[(DRIVE, DRIVE)] = input.drive.inertia;
+    mass[(DRIVE, DRIVE)] = design.rotor(side).drive.inertia;
     let mut mesh = DVector::zeros(7);
     mesh.fixed_rows_mut::<6>(0).copy_from(&(signed(side) * mesh_vector(design.mesh.vectors(side))));
-    let station = Place::Station(0);
-    let mut coordinates: Vec<Coordinate> =
-        Motion::ALL.into_iter().map(|motion| Coordinate { place: station, motion }).collect();
-    coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
-    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station: 0 }
+    let at_mesh = Motion::ALL.into_iter().map(|motion| Coordinate::Station(0, motion));
+    RotorModel {
+        stiffness: stiffness(design, rotor, side),
+        mass,
+        mesh_vector: mesh,
+        coordinates: at_mesh.chain([Coordinate::Drive]).collect(),
+        mesh_station: 0,
+        reduction: None,
+    }
 }

@@ -2,15 +2,15 @@
 
 mod compliance;
 mod direct;
-mod eigen;
 mod modes;
+mod rotor_modes;
 mod secular;
 mod spectrum;
 
 pub use compliance::Compliance;
 pub use direct::direct_spectrum;
-pub use eigen::{RotorModes, rotor_modes};
 pub use modes::{EnergyShare, Mode, Modes};
+pub use rotor_modes::rotor_modes;
 pub use spectrum::{Spectrum, frequency_lines};
 
 use crate::design::Side;

@@ -61,13 +61,11 @@ impl Modes {
             };
             let frequency_hz = eigenvalue.value(lambda).max(0.0).sqrt() / TAU;
             let (top, bottom) = (model.pinion.coordinates.len(), model.gear.coordinates.len());
-            let energy = energies(&model.pinion, &shape.rows(0, top).into_owned())
-                .chain(energies(&model.gear, &shape.rows(top, bottom).into_owned()))
-                .collect::<Vec<_>>();
-            let total: f64 = energy.iter().map(|(_, energy)| energy).sum();
+            let pinion = energies(&model.pinion, &shape.rows(0, top).into_owned());
+            let gear = energies(&model.gear, &shape.rows(top, bottom).into_owned());
+            let total: f64 = pinion.iter().chain(&gear).map(|(_, energy)| energy).sum();
             let shares = |part: &[(Motion, f64)]| share(part, total);
-            let (pinion, gear) = energy.split_at(top);
-            let mode = Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() };
+            let mode = Mode { frequency_hz, pinion: shares(&pinion), gear: shares(&gear), shape: shape / total.sqrt() };
             if frequency_hz.is_finite() && total > 0.0 && mode.shape.iter().all(|entry| entry.is_finite()) {
                 Ok(mode)
             } else {
@@ -78,10 +76,14 @@ impl Modes {
     }
 }
 
-/// Kinetic energy phi_i (M phi)_i of each coordinate of a rotor.
-fn energies<'a>(rotor: &'a RotorModel, shape: &DVector<f64>) -> impl Iterator<Item = (Motion, f64)> + use<'a> {
+/// Kinetic energy phi_i (M phi)_i of each motion of a rotor; a reduced rotor's are those of the whole shaft that it stands for.
+fn energies(rotor: &RotorModel, shape: &DVector<f64>) -> Vec<(Motion, f64)> {
+    if let Some(reduction) = &rotor.reduction {
+        return energies(&reduction.full, &(&reduction.basis * shape));
+    }
     let products = shape.component_mul(&(&rotor.mass * shape));
-    rotor.coordinates.iter().enumerate().map(move |(i, coordinate)| (coordinate.motion, products[i]))
+    let motions = rotor.coordinates.iter().zip(products.iter());
+    motions.filter_map(|(coordinate, energy)| Some((coordinate.motion()?, *energy))).collect()
 }
 
 fn share(energies: &[(Motion, f64)], total: f64) -> EnergyShare {

@@ -40,7 +40,7 @@ pub fn assert_no_nonsense(what: &str, design: &Design) -> Result<(), String> {
         assert!(totals.iter().all(|figure| figure.is_finite() && *figure > 0.0), "{what}: {totals:?}");
     }
     for kind in ModelKind::ALL {
-        let model = Model::new(kind, design, &rotors);
+        let model = Model::new(kind, design, &rotors).unwrap();
         if let Ok(modes) = Modes::new(&model, 20) {
             for mode in modes.0 {
                 let shares = [mode.pinion, mode.gear].map(|s| s.lateral + s.axial + s.tilt + s.torsion);

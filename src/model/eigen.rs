@@ -1,14 +1,10 @@
-//! Undamped modes of one rotor without the mesh.
+//! Undamped modes of one rotor without the mesh, or with its interface held.
 //!
 //! A plain solve of K phi = lambda M phi errs by rounding times the largest eigenvalue, which buries the low modes of a finely divided
 //! shaft. Instead M v = theta (K + s M) v is solved, with theta = 1/(lambda + s) largest for the lowest modes; and the free rotation,
 //! whose shape is known, is put in exactly.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
-use super::ResponseError;
-use crate::design::Side;
-use crate::model::RotorModel;
 
 /// Shift s = (2 pi 500)^2 rad^2/s^2: near the frequencies of interest, any positive value is exact.
 const SHIFT: f64 = 9.869_604_401_089_358e6;
@@ -23,7 +19,7 @@ pub struct RotorModes {
     pub stiffness: Vec<f64>,
     /// phi^T M phi
     pub mass: Vec<f64>,
-    /// One column a mode, over the coordinates of the [`RotorModel`]
+    /// One column a mode, over the coordinates of the matrices
     pub shapes: DMatrix<f64>,
 }
 
@@ -34,27 +30,18 @@ impl RotorModes {
     }
 }
 
-/// All modes of a rotor, in no particular order.
+/// All modes of K phi = lambda M phi, in no particular order; K resists everything but `rotation` (zero where it is all held).
 ///
-/// # Errors
-///
-/// Values that overflow, or lie too far apart to be factorised.
-pub fn rotor_modes(rotor: &RotorModel, side: Side) -> Result<RotorModes, ResponseError> {
-    let n = rotor.coordinates.len();
-    for (matrix, what) in [(&rotor.stiffness, "stiffness"), (&rotor.mass, "mass")] {
-        if !matrix.iter().all(|entry| entry.is_finite()) {
-            return Err(ResponseError::NotFinite { side, what });
-        }
-    }
-    let rotation = rotor.rotation();
+/// `None` where the values lie too far apart to be factorised, or overflow.
+pub fn natural_modes(stiffness: &DMatrix<f64>, mass: &DMatrix<f64>, rotation: &DVector<f64>) -> Option<RotorModes> {
+    let n = stiffness.nrows();
     let mut modes =
         RotorModes { stiffness: Vec::with_capacity(n), mass: Vec::with_capacity(n), shapes: DMatrix::zeros(n, n) };
-    for part in uncoupled_parts(&rotor.stiffness, &rotor.mass) {
+    for part in uncoupled_parts(stiffness, mass) {
         let pick = |matrix: &DMatrix<f64>| matrix.select_rows(&part).select_columns(&part);
         let turning = rotation.select_rows(&part);
         let turning = (turning.norm_squared() > 0.0).then_some(turning);
-        let (kappa, theta, shapes) = part_modes(&pick(&rotor.stiffness), &pick(&rotor.mass), turning)
-            .ok_or(ResponseError::IllConditioned(side))?;
+        let (kappa, theta, shapes) = part_modes(&pick(stiffness), &pick(mass), turning)?;
         for (column, shape) in shapes.column_iter().enumerate() {
             let target = modes.stiffness.len();
             for (row, value) in part.iter().zip(shape.iter()) {
@@ -64,7 +51,7 @@ pub fn rotor_modes(rotor: &RotorModel, side: Side) -> Result<RotorModes, Respons
             modes.mass.push(theta[column]);
         }
     }
-    Ok(modes)
+    Some(modes)
 }
 
 /// Groups of coordinates that neither matrix couples: torsion, and often the axial motion and each plane of bending.
