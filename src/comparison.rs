@@ -5,9 +5,10 @@ use std::ops::ControlFlow;
 use crate::agreement::{Agreement, AgreementError, Tolerance, difference_db};
 use crate::design::Design;
 use crate::model::{Model, ModelError, ModelKind, Rotors, RotorsError};
-use crate::response::{Compliance, ResponseError, frequency_lines};
+use crate::response::{BearingForces, Compliance, ResponseError, both_rotor_modes, frequency_lines};
 
-pub use crate::response::Spectrum;
+pub use crate::model::RecoveryKind;
+pub use crate::response::{BearingSpectrum, Spectrum};
 
 /// The three models of a design solved on the lines of its analysis.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +60,44 @@ pub type Observer<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
 pub fn solve(kind: ModelKind, design: &Design, rotors: &Rotors, frequency_hz: &[f64]) -> Result<Spectrum, SolveError> {
     let model = Model::new(kind, design, rotors)?;
     Spectrum::new(&model, frequency_hz).map_err(|error| SolveError::Response { kind, error })
+}
+
+/// One model with the forces of its bearings on their shafts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WithBearings {
+    pub spectrum: Spectrum,
+    /// Pinion first, in the design's order
+    pub bearings: Vec<BearingSpectrum>,
+    /// How the displacements at the bearings follow from the model
+    pub recovery: RecoveryKind,
+}
+
+/// As [`solve`], with the forces of all bearings on the same lines.
+///
+/// # Errors
+///
+/// As [`solve`].
+pub fn solve_with_bearings(
+    kind: ModelKind,
+    design: &Design,
+    rotors: &Rotors,
+    frequency_hz: &[f64],
+) -> Result<WithBearings, SolveError> {
+    let failed = |error| SolveError::Response { kind, error };
+    let model = Model::new(kind, design, rotors)?;
+    let modes = both_rotor_modes(&model).map_err(failed)?;
+    let recovery = model.recovery(design, rotors)?;
+    let mut spectrum = Spectrum::with_capacity(frequency_hz.len(), model.coordinates());
+    spectrum.extend(&model, &Compliance::with_modes(&model, &modes), frequency_hz).map_err(failed)?;
+    let forces = BearingForces::new(&model, &modes, &recovery);
+    let bearings = forces.spectra(&model, frequency_hz, &spectrum.mesh_force);
+    let finite = |bearing: &BearingSpectrum, line: usize| bearing.force[line].iter().all(|f| f.is_finite());
+    match (0..frequency_hz.len()).find(|&line| !bearings.iter().all(|bearing| finite(bearing, line))) {
+        Some(line) => {
+            Err(failed(ResponseError::LineNotFinite { what: "force of a bearing", at_hz: frequency_hz[line] }))
+        }
+        None => Ok(WithBearings { spectrum, bearings, recovery: forces.recovery }),
+    }
 }
 
 /// Solves the finite element, the enhanced and the basic lumped model of a design and compares them over all its lines.

@@ -97,7 +97,7 @@ fn reduced_models_stand_beside_the_others() {
     let models = ["reduced:3,fe,reduced:0", "--format"];
     let json = bevelscope(&[["solve", &elastic(), "--model"].as_slice(), &models, &["json"]].concat());
     let json: Value = serde_json::from_slice(&json.stdout).unwrap();
-    assert_eq!(json["models"].as_object().unwrap().keys().collect::<Vec<_>>(), ["reduced_3", "fe", "reduced_0"]);
+    assert_eq!(json["models"].as_object().unwrap().keys().collect::<Vec<_>>(), ["fe", "reduced_0", "reduced_3"]);
     assert_eq!(
         (&json["models"]["reduced_3"]["coordinates"], &json["models"]["reduced_0"]["coordinates"]),
         (&20.into(), &14.into())
@@ -120,6 +120,51 @@ fn reduced_models_stand_beside_the_others() {
     let check: Value = serde_json::from_slice(&check.stdout).unwrap();
     let modes = [0, 1, 2].map(|row: usize| check[row]["reduced_modes_for_1_db"].as_u64());
     assert_eq!(modes, [Some(2), Some(1), Some(6)]);
+}
+
+#[test]
+fn bearing_forces_are_columns_with_safe_names() {
+    let name = r#"left, \u001b[31m\"A\""#;
+    let text = elastic_text().replacen("name = \"B1\"", &format!("name = \"{name}\""), 1);
+    assert_ne!(text, elastic_text());
+    let (_folder, file) = folder_with("named.toml", text);
+    let run = |format: &str| {
+        let output = bevelscope(&["solve", &file, "--model", "fe,basic", "--bearing-forces", "--format", format]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        assert!(!output.stdout.contains(&0x1b), "{format}");
+        stdout(&output).to_owned()
+    };
+    let (csv, json): (String, Value) = (run("csv"), serde_json::from_str(&run("json")).unwrap());
+    let header = csv.split("\r\n").next().unwrap();
+    let first = "fe_bearing_gear_left, \\u{1b}[31m\"\"A\"\"_fx_n_re";
+    assert!(header.contains(&format!(",\"{first}\",")), "{header}");
+    assert!(header.ends_with(",basic_bearing_gear_B2_mz_n_m_re,basic_bearing_gear_B2_mz_n_m_im"), "{header}");
+    let row: Vec<f64> = csv.split("\r\n").nth(8).unwrap().split(',').map(|cell| cell.parse().unwrap()).collect();
+    let mut at = 9;
+    for (model, how) in [("fe", "exact"), ("basic", "recovered by static shapes")] {
+        let forces = &json["models"][model]["bearing_forces"];
+        assert_eq!(forces["displacements"], how);
+        for (i, rotor) in ["pinion", "pinion", "gear", "gear"].into_iter().enumerate() {
+            let bearing = &forces["bearings"][i];
+            assert_eq!(bearing["rotor"], rotor);
+            let mut squares = 0.0;
+            for component in ["fx_n", "fy_n", "fz_n", "mx_n_m", "my_n_m", "mz_n_m"] {
+                for part in ["re", "im"] {
+                    let value = bearing[component][part][7].as_f64().unwrap();
+                    assert_eq!(row[at], value, "{model} {i} {component}");
+                    squares += if component.starts_with('f') { value * value } else { 0.0 };
+                    at += 1;
+                }
+            }
+            let total = bearing["total_n"][7].as_f64().unwrap();
+            assert!((total - squares.sqrt()).abs() < 1e-12 * total);
+        }
+    }
+    assert_eq!(row.len(), at);
+    let table = run("table");
+    assert!(table.contains("recovered by static shapes") && table.lines().all(|line| line.chars().count() <= 80));
+    let without = bevelscope(&["solve", &elastic(), "--format", "json"]);
+    assert!(!stdout(&without).contains("bearing_forces"));
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod fe;
 mod kind;
 mod lumped;
 mod mesh;
+mod recovery;
 mod reduced;
 
 use nalgebra::{DMatrix, DVector};
@@ -17,6 +18,7 @@ pub use eigen::{RotorModes, natural_modes};
 pub use kind::ModelKind;
 pub use lumped::LumpedMass;
 pub use mesh::mesh_vector;
+pub use recovery::{Bearing, Recovery, RecoveryKind};
 pub use reduced::CraigBampton;
 
 use crate::design::{DampingModel, Design, Side};
@@ -143,6 +145,16 @@ impl Model {
             damping_model: design.analysis.damping_model,
             transmission_error: design.mesh.transmission_error,
         }
+    }
+
+    /// How the whole shafts, pinion first, follow from the coordinates of this model of the design.
+    ///
+    /// # Errors
+    ///
+    /// As [`Recovery::new`].
+    pub fn recovery(&self, design: &Design, rotors: &Rotors) -> Result<[Recovery; 2], ModelError> {
+        let of = |side: Side, model: &RotorModel| Recovery::new(self.kind, design, rotors.get(side), side, model);
+        Ok([of(Side::Pinion, &self.pinion)?, of(Side::Gear, &self.gear)?])
     }
 
     pub fn rotors(&self) -> [&RotorModel; 2] {

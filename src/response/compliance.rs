@@ -6,9 +6,8 @@
 
 use num_complex::Complex64;
 
-use super::{ResponseError, rotor_modes};
-use crate::design::Side;
-use crate::model::Model;
+use super::{ResponseError, both_rotor_modes};
+use crate::model::{Model, RotorModes};
 
 /// Compliance of both rotors at the mesh as a sum over their modes.
 #[derive(Debug, Clone)]
@@ -29,11 +28,15 @@ impl Compliance {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`].
+    /// As [`super::rotor_modes`].
     pub fn new(model: &Model) -> Result<Self, ResponseError> {
+        Ok(Self::with_modes(model, &both_rotor_modes(model)?))
+    }
+
+    /// From modes that are known.
+    pub fn with_modes(model: &Model, modes: &[RotorModes; 2]) -> Self {
         let mut terms = Vec::with_capacity(model.coordinates());
-        for (side, rotor) in Side::BOTH.into_iter().zip(model.rotors()) {
-            let modes = rotor_modes(rotor, side)?;
+        for (modes, rotor) in modes.iter().zip(model.rotors()) {
             let participation = modes.participation(&rotor.mesh_vector);
             for ((g, &stiffness), &mass) in participation.iter().zip(&modes.stiffness).zip(&modes.mass) {
                 if *g != 0.0 {
@@ -41,7 +44,7 @@ impl Compliance {
                 }
             }
         }
-        Ok(Self { terms })
+        Self { terms }
     }
 
     /// alpha(w), m/N, at `omega` (rad/s, greater than 0) under the factor 1 + j s zeta_s on the stiffness.

@@ -1,16 +1,22 @@
 //! How a model responds: natural modes, the exact shortcut to the mesh force, and the direct solve it is held against.
 
+mod bearing_forces;
 mod compliance;
+mod deflection;
 mod direct;
 mod modes;
+mod refined;
 mod rotor_modes;
 mod secular;
 mod spectrum;
 
+pub use bearing_forces::{BearingForces, BearingSpectrum};
 pub use compliance::Compliance;
+pub use deflection::{StationShape, mode_shape, operating_deflection};
 pub use direct::direct_spectrum;
 pub use modes::{EnergyShare, Mode, Modes};
-pub use rotor_modes::rotor_modes;
+pub use refined::refined_lines;
+pub use rotor_modes::{both_rotor_modes, rotor_modes};
 pub use spectrum::{Spectrum, frequency_lines};
 
 use crate::design::Side;

@@ -2,7 +2,7 @@
 
 use super::ResponseError;
 use crate::design::Side;
-use crate::model::{RotorModel, RotorModes, natural_modes};
+use crate::model::{Model, RotorModel, RotorModes, natural_modes};
 
 /// All modes of a rotor, in no particular order.
 ///
@@ -16,4 +16,13 @@ pub fn rotor_modes(rotor: &RotorModel, side: Side) -> Result<RotorModes, Respons
         }
     }
     natural_modes(&rotor.stiffness, &rotor.mass, &rotor.rotation()).ok_or(ResponseError::IllConditioned(side))
+}
+
+/// All modes of both rotors of a model without the mesh, pinion first.
+///
+/// # Errors
+///
+/// As [`rotor_modes`].
+pub fn both_rotor_modes(model: &Model) -> Result<[RotorModes; 2], ResponseError> {
+    Ok([rotor_modes(&model.pinion, Side::Pinion)?, rotor_modes(&model.gear, Side::Gear)?])
 }
