@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::agreement::{Agreement, AgreementError, Tolerance, difference_db};
+use crate::agreement::{Agreement, AgreementError, ModalError, Tolerance, difference_db};
 use crate::design::Design;
 use crate::model::{Model, ModelError, ModelKind, Rotors, RotorsError};
 use crate::response::{BearingForces, Compliance, ResponseError, both_rotor_modes, frequency_lines};
@@ -43,6 +43,8 @@ pub enum SolveError {
     Model(#[from] ModelError),
     #[error("{} model: {error}", kind.name())]
     Response { kind: ModelKind, error: ResponseError },
+    #[error(transparent)]
+    Modes(#[from] ModalError),
     #[error(transparent)]
     Agreement(#[from] AgreementError),
     #[error("cancelled")]

@@ -172,7 +172,7 @@ proptest! {
                         let wanted: Complex64 = (0..6).map(|j| -factor * k[(motion, j)] * q[j]).sum();
                         let own = lumped.forces.iter().filter(|b| b.side == side);
                         let found: Complex64 = own.clone().map(|b| b.force[line][motion]).sum();
-                        let size = own.flat_map(|b| &b.force[line]).map(Complex64::norm).fold(wanted.norm(), f64::max);
+                        let size = own.flat_map(|b| b.force[line]).map(Complex64::norm).fold(wanted.norm(), f64::max);
                         prop_assert!((found - wanted).norm() < 1e-7 * size, "{side:?} {motion}: {found} {wanted}");
                     }
                 }
@@ -181,7 +181,7 @@ proptest! {
         let mut slow = design.clone();
         (slow.analysis.frequency_min, slow.analysis.frequency_max) = (0.01, 0.02);
         let [fe_slow, enhanced_slow] = [ModelKind::Fe, ModelKind::Enhanced].map(|kind| solve(kind, &slow, &rotors, 2));
-        let scale = fe_slow.forces.iter().flat_map(|b| &b.force[0]).map(Complex64::norm).fold(0.0, f64::max);
+        let scale = fe_slow.forces.iter().flat_map(|b| b.force[0]).map(Complex64::norm).fold(0.0, f64::max);
         for (a, b) in fe_slow.forces.iter().zip(&enhanced_slow.forces) {
             for (a, b) in a.force[0].iter().zip(&b.force[0]) {
                 prop_assert!((a - b).norm() < 1e-5 * scale, "{a} {b}");

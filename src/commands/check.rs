@@ -50,7 +50,7 @@ fn parse_band(text: &str) -> Result<Band, String> {
     }
 }
 
-fn parse_limit(text: &str) -> Result<f64, String> {
+pub(super) fn parse_limit(text: &str) -> Result<f64, String> {
     let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
     value.ok_or_else(|| "wanted a number, not negative".into())
 }

@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand.
 
+mod bands;
 mod check;
 mod compare;
 mod explore;
@@ -41,6 +42,8 @@ enum Command {
     Modes(modes::Args),
     /// How well the lumped models agree with the finite element model, a row a design
     Check(check::Args),
+    /// Where a lumped model disagrees with the finite element model, the modes behind it, and why
+    Bands(bands::Args),
     /// What was built: stations, totals, stiffness at the mesh, bending modes, effective masses, bearings
     Inspect(inspect::Args),
     /// Where two designs differ, and how the models of both agree
@@ -115,6 +118,7 @@ impl Cli {
             Some(Command::Solve(args)) => solve::run(args, &mut out, &mut err)?,
             Some(Command::Modes(args)) => modes::run(args, &mut out, &mut err)?,
             Some(Command::Check(args)) => check::run(args, &mut out)?,
+            Some(Command::Bands(args)) => bands::run(args, &mut out, &mut err)?,
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
             Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,

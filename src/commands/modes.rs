@@ -3,18 +3,18 @@
 use std::io::{self, Write};
 
 use super::{CommandError, FileArg, Format, ModelArg, Status, input};
-use crate::agreement::{ModePair, pair_modes};
+use crate::agreement::{COMPARED_FE_MODES, ModePair, mac_matrix, pair_modes};
 use crate::comparison::SolveError;
 use crate::design::Design;
-use crate::model::{Model, ModelKind, Rotors};
+use crate::model::{Model, ModelKind, RecoveryKind, Rotors};
 use crate::number::significant;
 use crate::report::Table;
 use crate::report::json::{self, Object};
-use crate::response::{EnergyShare, Mode, Modes};
+use crate::response::{EnergyShare, Mode, Modes, StationShape, mode_shape};
 use crate::text::printable;
 
-/// Finite element modes that are listed.
-const MOST_FE_MODES: usize = 40;
+/// Finite element modes that are listed: those that lumped ones are paired with.
+const MOST_FE_MODES: usize = COMPARED_FE_MODES;
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -22,6 +22,9 @@ pub struct Args {
     file: FileArg,
     #[command(flatten)]
     models: ModelArg,
+    /// With --format json: the whole MAC matrix of every model with FE, and mode shapes at the stations of both shafts
+    #[arg(long)]
+    shapes: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
@@ -29,7 +32,7 @@ pub struct Args {
 
 pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<Status, CommandError> {
     let loaded = input::load(&args.file.file, err)?;
-    let solved = solve(&loaded.design, &args.models.kinds())
+    let solved = solve(&loaded.design, &args.models.kinds(), args.shapes)
         .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
     match args.format {
         Format::Json => json::write(out, &Output::new(&loaded.design, &solved))?,
@@ -42,6 +45,15 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
 struct Solved {
     kind: ModelKind,
     modes: Vec<(Mode, Option<Partner>)>,
+    shapes: Option<Shapes>,
+}
+
+/// What is only written on request.
+struct Shapes {
+    /// A row a mode, a column a finite element mode
+    mac: Vec<Vec<f64>>,
+    displacements: RecoveryKind,
+    modes: Vec<[StationShape<f64>; 2]>,
 }
 
 /// The finite element mode whose shape a lumped mode has.
@@ -53,7 +65,7 @@ struct Partner {
     mac: f64,
 }
 
-fn solve(design: &Design, kinds: &[ModelKind]) -> Result<Vec<Solved>, SolveError> {
+fn solve(design: &Design, kinds: &[ModelKind], shapes: bool) -> Result<Vec<Solved>, SolveError> {
     let rotors = Rotors::new(design)?;
     let modes = |kind| -> Result<(Model, Modes), SolveError> {
         let model = Model::new(kind, design, &rotors)?;
@@ -62,28 +74,103 @@ fn solve(design: &Design, kinds: &[ModelKind]) -> Result<Vec<Solved>, SolveError
     };
     let fe = modes(ModelKind::Fe)?;
     let enhanced = Model::new(ModelKind::Enhanced, design, &rotors)?;
-    let with_partners = |(model, modes): (Model, Modes)| {
+    let shapes_of = |model: &Model, modes: &Modes| -> Result<Option<Shapes>, SolveError> {
+        if !shapes {
+            return Ok(None);
+        }
+        let recovery = model.recovery(design, &rotors)?;
+        let mac = mac_matrix((model, modes), (&fe.0, &fe.1), &enhanced);
+        Ok(Some(Shapes {
+            mac: mac.row_iter().map(|row| row.iter().copied().collect()).collect(),
+            displacements: recovery[0].kind,
+            modes: modes.0.iter().map(|mode| mode_shape(model, &recovery, &mode.shape)).collect(),
+        }))
+    };
+    let solved = |&kind: &ModelKind| {
+        if kind == ModelKind::Fe {
+            let modes = fe.1.0.iter().map(|mode| (mode.clone(), None)).collect();
+            return Ok(Solved { kind, modes, shapes: shapes_of(&fe.0, &fe.1)? });
+        }
+        let (model, modes) = modes(kind)?;
+        let shapes = shapes_of(&model, &modes)?;
         let pairs = pair_modes((&model, &modes), (&fe.0, &fe.1), &enhanced);
         let partner =
             |pair: &ModePair| Partner { fe_mode: pair.fe, fe_hz: fe.1.0[pair.fe].frequency_hz, mac: pair.mac };
         let find = |i: usize| pairs.iter().find(|pair| pair.lumped == i).map(partner);
         let modes = modes.0.into_iter().enumerate().map(|(i, mode)| (mode, find(i))).collect();
-        Solved { kind: model.kind, modes }
+        Ok(Solved { kind, modes, shapes })
     };
-    let of_fe = || Solved { kind: ModelKind::Fe, modes: fe.1.0.iter().map(|mode| (mode.clone(), None)).collect() };
-    let solved = |kind| if kind == ModelKind::Fe { Ok(of_fe()) } else { modes(kind).map(with_partners) };
-    kinds.iter().copied().map(solved).collect()
+    kinds.iter().map(solved).collect()
 }
 
 #[derive(serde::Serialize)]
 struct Output<'a> {
     design: &'a str,
     models: Object<Vec<ModeOutput>>,
+    /// Rows are modes of the model, columns those of FE
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mac: Option<Object<Vec<Vec<f64>>>>,
+    /// Scaled to phi^T M phi = 1 kg m^2
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shapes: Option<Object<ShapesOutput>>,
+}
+
+#[derive(serde::Serialize)]
+struct ShapesOutput {
+    /// How they follow from the model's coordinates
+    displacements: &'static str,
+    modes: Vec<ModeShapes>,
+}
+
+#[derive(serde::Serialize)]
+struct ModeShapes {
+    pinion: ShapeOutput,
+    gear: ShapeOutput,
+}
+
+/// One value a station.
+#[derive(serde::Serialize)]
+struct ShapeOutput {
+    stations_mm: Vec<f64>,
+    x_m: Vec<f64>,
+    y_m: Vec<f64>,
+    z_m: Vec<f64>,
+    thx_rad: Vec<f64>,
+    thy_rad: Vec<f64>,
+    thz_rad: Vec<f64>,
+    drive_rad: f64,
+}
+
+impl From<&StationShape<f64>> for ShapeOutput {
+    fn from(shape: &StationShape<f64>) -> Self {
+        let of = |motion: usize| shape.displacements.iter().map(|station| station[motion]).collect();
+        Self {
+            stations_mm: shape.positions.iter().map(|position| position * 1e3).collect(),
+            x_m: of(0),
+            y_m: of(1),
+            z_m: of(2),
+            thx_rad: of(3),
+            thy_rad: of(4),
+            thz_rad: of(5),
+            drive_rad: shape.drive,
+        }
+    }
+}
+
+impl From<&Shapes> for ShapesOutput {
+    fn from(shapes: &Shapes) -> Self {
+        let mode = |[pinion, gear]: &[StationShape<f64>; 2]| ModeShapes { pinion: pinion.into(), gear: gear.into() };
+        Self { displacements: shapes.displacements.name(), modes: shapes.modes.iter().map(mode).collect() }
+    }
 }
 
 #[derive(serde::Serialize)]
 struct ModeOutput {
     frequency_hz: f64,
+    /// By where its kinetic energy is
+    name: String,
+    /// Share of the strain energy in the mesh
+    mesh_strain_share: f64,
     energy_share: Shares,
     /// Null for finite element modes and for a lumped mode without partner
     paired_with: Option<Partner>,
@@ -111,26 +198,41 @@ impl From<EnergyShare> for ShareOutput {
 
 impl<'a> Output<'a> {
     fn new(design: &'a Design, models: &[Solved]) -> Self {
+        let shapes = |model: &'_ Solved| Some((model.kind.name(), model.shapes.as_ref()?.into()));
+        let mac = |model: &'_ Solved| Some((model.kind.name(), model.shapes.as_ref()?.mac.clone()));
+        let (mac, shapes) = (models.iter().map(mac).collect(), models.iter().map(shapes).collect());
+        let (mac, shapes): (Option<Vec<_>>, Option<Vec<_>>) = (mac, shapes);
         let models = models.iter().map(|model| {
             let mode = |(mode, partner): &(Mode, Option<Partner>)| ModeOutput {
                 frequency_hz: mode.frequency_hz,
+                name: mode.name(),
+                mesh_strain_share: mode.mesh_strain_share,
                 energy_share: Shares { pinion: mode.pinion.into(), gear: mode.gear.into() },
                 paired_with: *partner,
             };
             (model.kind.name(), model.modes.iter().map(mode).collect())
         });
-        Self { design: &design.name, models: Object(models.collect()) }
+        Self {
+            design: &design.name,
+            models: Object(models.collect()),
+            mac: mac.map(Object),
+            shapes: shapes.map(Object),
+        }
     }
 }
 
 fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io::Result<()> {
     writeln!(out, "{}", printable(&design.name))?;
     writeln!(out, "kinetic energy in %: lateral x, z; axial y; tilt thx, thz; torsion thy, drive")?;
+    writeln!(out, "mesh: share of the strain energy in the mesh, %")?;
     for model in models {
         writeln!(out, "\n{}", model.kind.title())?;
         let mut heads = vec!["mode", "Hz"];
         heads.extend(["pinion\nlat", "ax", "tilt", "tors", "gear\nlat", "ax", "tilt", "tors"]);
-        if model.kind != ModelKind::Fe {
+        heads.push("mesh");
+        if model.kind == ModelKind::Fe {
+            heads.push("name");
+        } else {
             heads.extend(["FE\nmode", "FE\nHz", "shift\n%", "MAC"]);
         }
         let mut table = Table::with_heads(heads.into_iter().map(str::to_owned).collect()).tight();
@@ -139,7 +241,10 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
             for share in [mode.pinion, mode.gear] {
                 cells.extend([share.lateral, share.axial, share.tilt, share.torsion].map(percent));
             }
-            if model.kind != ModelKind::Fe {
+            cells.push(percent(mode.mesh_strain_share));
+            if model.kind == ModelKind::Fe {
+                cells.push(mode.name());
+            } else {
                 cells.extend(partner_cells(mode, *partner));
             }
             table.row(cells);

@@ -15,9 +15,9 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
 pub use eigen::{RotorModes, natural_modes};
-pub use kind::ModelKind;
+pub use kind::{ModelKind, UnknownModel};
 pub use lumped::LumpedMass;
-pub use mesh::mesh_vector;
+pub use mesh::{mesh_vector, pinion_speed_rpm};
 pub use recovery::{Bearing, Recovery, RecoveryKind};
 pub use reduced::CraigBampton;
 

@@ -1,6 +1,7 @@
 //! How a model responds: natural modes, the exact shortcut to the mesh force, and the direct solve it is held against.
 
 mod bearing_forces;
+mod character;
 mod compliance;
 mod deflection;
 mod direct;
@@ -11,6 +12,7 @@ mod secular;
 mod spectrum;
 
 pub use bearing_forces::{BearingForces, BearingSpectrum};
+pub use character::{Dominant, MotionGroup};
 pub use compliance::Compliance;
 pub use deflection::{StationShape, mode_shape, operating_deflection};
 pub use direct::direct_spectrum;
