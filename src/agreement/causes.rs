@@ -67,6 +67,8 @@ pub struct Shift {
     /// (lumped - FE) / FE
     pub percent: f64,
     pub mac: f64,
+    /// (phi . h)^2 of the lumped mode over that of the finite element mode
+    pub participation_ratio: f64,
 }
 
 /// All figures behind the disagreement over one band.
@@ -92,8 +94,16 @@ impl Causes {
         let fe = responsible.and_then(|responsible| responsible.fe);
         let pair = fe.and_then(|fe| modes.pairs.iter().find(|pair| pair.fe == fe));
         let shift = pair.map(|pair| {
-            let (fe_hz, lumped_hz) = (modes.fe.0[pair.fe].frequency_hz, modes.lumped.0[pair.lumped].frequency_hz);
-            Shift { fe: pair.fe, fe_hz, lumped_hz, percent: 100.0 * (lumped_hz / fe_hz - 1.0), mac: pair.mac }
+            let (of_fe, lumped) = (&modes.fe.0[pair.fe], &modes.lumped.0[pair.lumped]);
+            let (fe_hz, lumped_hz) = (of_fe.frequency_hz, lumped.frequency_hz);
+            Shift {
+                fe: pair.fe,
+                fe_hz,
+                lumped_hz,
+                percent: 100.0 * (lumped_hz / fe_hz - 1.0),
+                mac: pair.mac,
+                participation_ratio: lumped.participation / of_fe.participation,
+            }
         });
         let largest = modes.fe.0.iter().map(|mode| mode.participation).fold(f64::MIN_POSITIVE, f64::max);
         let unpaired = modes.fe.0.iter().enumerate().filter(|(i, mode)| {
@@ -135,7 +145,10 @@ impl Causes {
                     "The {what} lies at {:.0} Hz in the {model} model, {:+.1} %.",
                     shift.lumped_hz, shift.percent
                 )),
-                (Some(_), Some(_)) => out.push(format!("The {what} is there, but the mesh drives it differently.")),
+                (Some(_), Some(shift)) => out.push(format!(
+                    "The {what} is there ({:+.2} %), with {:.2} times the participation in the mesh force.",
+                    shift.percent, shift.participation_ratio
+                )),
                 (Some(_), None) => out.push(format!("The {what} is missing in the {model} model.")),
                 (None, _) => out.push(format!("The {model} model has a {what} that finite elements do not have.")),
             }

@@ -70,7 +70,8 @@ impl ModalComparison {
     ///
     /// F_m + k_m* e = k_m*^2 e h^T H^-1 h is a sum over the modes with the mesh, (phi . h)^2 / (lambda_r (1 + j eta_r) - w^2), so the difference of two models
     /// is the sum of the differences of paired modes and of what the modes without partner give. A pair that agrees cancels, and an unpaired mode
-    /// counts whole. eta_r is the loss factor by modal strain energy (Johnson and Kienholz 1982): the sum explains, the spectra are exact.
+    /// counts whole. All models have the same static compliance at the mesh, so of every mode only what exceeds its static part is looked at:
+    /// without that the high modes, which share the static part out differently, would be named at any frequency. eta_r is the loss factor by modal strain energy (Johnson and Kienholz 1982): the sum explains, the spectra are exact.
     pub fn responsible(&self, at_hz: f64) -> Option<Responsible> {
         let omega = TAU * at_hz;
         let term = |model: &Model, mode: &Mode| -> Complex64 {
@@ -78,7 +79,10 @@ impl ModalComparison {
             let structure = model.structural_factor(omega).im;
             let mesh = model.complex_mesh_stiffness(omega).im / model.mesh_stiffness;
             let loss = structure + (mesh - structure) * mode.mesh_strain_share;
-            mode.participation / Complex64::new(lambda - omega * omega, lambda * loss)
+            let stiffness = Complex64::new(lambda, lambda * loss);
+            // the rigid rotation strains nothing, the mesh included
+            let moving = mode.participation / (stiffness - omega * omega) - mode.participation / stiffness;
+            if mode.mesh_strain_share > 0.0 && moving.is_finite() { moving } else { Complex64::ZERO }
         };
         let fe_term = |i: usize| term(&self.fe_model, &self.fe.0[i]);
         let lumped_term = |i: usize| term(&self.lumped_model, &self.lumped.0[i]);

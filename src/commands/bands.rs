@@ -112,6 +112,8 @@ struct ShiftOutput {
     lumped_hz: f64,
     shift_percent: f64,
     mac: f64,
+    /// (phi . h)^2, lumped over FE
+    participation_ratio: f64,
 }
 
 #[derive(serde::Serialize)]
@@ -201,6 +203,7 @@ impl From<&Causes> for BandOutput {
             lumped_hz: shift.lumped_hz,
             shift_percent: shift.percent,
             mac: shift.mac,
+            participation_ratio: shift.participation_ratio,
         });
         Self {
             from_hz: causes.band.from_hz,
@@ -270,7 +273,7 @@ fn write_table(out: &mut impl Write, output: &Output<'_>) -> io::Result<()> {
     }
     writeln!(out, "{} against FE: lines that differ by more than {} dB\n", output.model, output.tolerance_db)?;
     let mut table =
-        Table::new(["from Hz", "to Hz", "worst\ndB", "at Hz", "mode\nHz", "shift\n%", "mode held responsible"]);
+        Table::new(["from Hz", "to Hz", "worst\ndB", "at Hz", "mode\nHz", "shift\n%", "mode held responsible", ""]);
     for band in &output.bands {
         let mode = band.mode.as_ref();
         table.row([

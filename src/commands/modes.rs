@@ -231,7 +231,7 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
         heads.extend(["pinion\nlat", "ax", "tilt", "tors", "gear\nlat", "ax", "tilt", "tors"]);
         heads.push("mesh");
         if model.kind == ModelKind::Fe {
-            heads.push("name");
+            heads.extend(["name", ""]);
         } else {
             heads.extend(["FE\nmode", "FE\nHz", "shift\n%", "MAC"]);
         }
