@@ -17,9 +17,9 @@
 //! | --- | --- | --- |
 //! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library | |
 //! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
-//! | [`model`] | the finite element and the lumped models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
-//! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh | 2, 4 |
-//! | [`agreement`] | differences in dB, the agreement limit, peaks and modes paired | 4 |
+//! | [`model`] | the finite element, lumped and reduced models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
+//! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh, forces of the bearings | 2, 4 |
+//! | [`agreement`] | differences in dB, the agreement limit, peaks and modes paired, bands of disagreement and their causes | 4 |
 //! | [`comparison`] | all of that for a design, in one call | |
 //! | [`report`] | results as tables, CSV and JSON | |
 //! | [`commands`] | the command line, one file a subcommand | |
@@ -46,6 +46,7 @@
 //! - Inside the program a number is SI, a frequency in Hz or rad/s as its name says; every number that leaves it has a unit in
 //!   its key or header (`tests/invariants.rs`, `tests/cli.rs`).
 //! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
+//! - The forces of bearings, mesh and drive on a shaft are what accelerates its mass (`tests/bearing_forces.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
 //! - An edit changes the bytes that it is about and no others; undone, it gives the file back byte for byte

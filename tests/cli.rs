@@ -168,10 +168,60 @@ fn bearing_forces_are_columns_with_safe_names() {
 }
 
 #[test]
+fn modes_have_names_and_shapes_on_request() {
+    let run = |more: &[&str]| -> Value {
+        let output = bevelscope(&[&["modes", &elastic(), "--format", "json"], more].concat());
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let plain = run(&[]);
+    assert!(plain.get("mac").is_none() && plain.get("shapes").is_none());
+    assert_eq!(plain["models"]["fe"][0]["name"], "rigid rotation");
+    assert_eq!(plain["models"]["fe"][1]["name"], "torsion of both");
+    assert_eq!(plain["models"]["fe"][9]["name"], "gear tilt, x-y plane");
+    let shapes = run(&["--shapes"]);
+    let mac = |i: usize, j: usize| shapes["mac"]["enhanced"][i][j].as_f64().unwrap();
+    let pair = &shapes["models"]["enhanced"][6]["paired_with"];
+    assert_eq!(mac(6, pair["fe_mode"].as_u64().unwrap() as usize), pair["mac"].as_f64().unwrap());
+    assert!((shapes["mac"]["fe"][3][3].as_f64().unwrap() - 1.0).abs() < 1e-12);
+    assert_eq!(shapes["shapes"]["basic"]["displacements"], "recovered by static shapes");
+    let turned = &shapes["shapes"]["basic"]["modes"][0]["gear"];
+    let (stations, turning) = (turned["stations_mm"].as_array().unwrap(), turned["thy_rad"].as_array().unwrap());
+    assert_eq!(stations.len(), turning.len());
+    let drive = turned["drive_rad"].as_f64().unwrap();
+    assert!(drive != 0.0 && turning.iter().all(|value| (value.as_f64().unwrap() / drive - 1.0).abs() < 1e-6));
+}
+
+#[test]
+fn bands_say_where_and_why() {
+    let run = |more: &[&str]| {
+        let output = bevelscope(&[&["bands", &elastic()], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        stdout(&output).to_owned()
+    };
+    let json: Value = serde_json::from_str(&run(&["--format", "json"])).unwrap();
+    let bands = json["bands"].as_array().unwrap();
+    assert_eq!((&json["model"], &json["tolerance_db"], bands.len()), (&"enhanced".into(), &3.0.into(), 6));
+    let missing = &bands[4];
+    assert_eq!((&missing["mode"]["name"], &missing["shift"]), (&"gear torsion".into(), &Value::Null));
+    assert!(missing["why"][1].as_str().unwrap().contains("is missing in the enhanced model"));
+    let csv = run(&["--format", "csv"]);
+    let rows: Vec<&str> = csv.split_terminator("\r\n").collect();
+    assert_eq!(rows.len(), 7);
+    assert!(rows[0].starts_with("from_hz,to_hz,worst_db,worst_at_hz,mode,mode_hz,"));
+    let from: Vec<f64> = rows[1..].iter().map(|row| row.split(',').next().unwrap().parse().unwrap()).collect();
+    assert!(from.iter().zip(bands).all(|(from, band)| *from == band["from_hz"].as_f64().unwrap()));
+    let table = run(&["--model", "basic", "--tolerance", "10"]);
+    assert!(table.contains("basic against FE: lines that differ by more than 10 dB") && table.contains("gear lateral"));
+    assert!(run(&["--model", "reduced:99", "--tolerance", "0.1"]).contains("no line differs"));
+    refused(&["bands", &elastic(), "--model", "fe"], &["themselves"]);
+    refused(&["bands", &elastic(), "--tolerance", "-1"], &["not negative"]);
+}
+
+#[test]
 fn tables_fit_eighty_columns_and_say_their_units() {
     for (arguments, units) in [
         (vec!["solve", "--format", "table"], vec!["Hz", "F, N", "deg", "um"]),
-        (vec!["modes"], vec!["Hz", "%", "MAC"]),
+        (vec!["modes", "--model", "enhanced,basic,reduced:2"], vec!["Hz", "%", "MAC"]),
         (vec!["inspect"], vec!["mm", "kg", "kg m2", "Hz", "N/m"]),
         (vec!["check"], vec!["limit Hz", "dB", "FRAC"]),
     ] {

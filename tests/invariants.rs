@@ -62,7 +62,7 @@ fn no_panic_is_written_outside_tests() {
 }
 
 /// Keys whose numbers have no unit, or several that the documentation gives.
-const WITHOUT_UNIT: [&str; 12] = [
+const WITHOUT_UNIT: [&str; 18] = [
     "fe",
     "lumped",
     "coordinates",
@@ -74,18 +74,29 @@ const WITHOUT_UNIT: [&str; 12] = [
     "mac",
     "fe_mode",
     "energy_residual",
+    "mesh_strain_share",
+    "share",
+    "mode_share",
+    "participation",
+    "participation_ratio",
+    "lumped_mode",
     // 6x6, N/m, N and N m/rad
     "stiffness",
 ];
-const UNITS: [&str; 9] = ["_hz", "_n", "_m", "_mm", "_kg", "_kg_m2", "_db", "_percent", "_stiffness"];
+const UNITS: [&str; 10] = ["_rad", "_hz", "_n", "_m", "_mm", "_kg", "_kg_m2", "_db", "_percent", "_stiffness"];
 
 #[test]
 fn every_number_in_json_has_a_unit_in_its_key() {
     let design = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/straddle-elastic.toml");
     let other = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/overhung-rigid.toml");
-    for command in ["solve", "modes", "inspect", "check", "compare"] {
+    for command in ["solve", "modes", "inspect", "check", "compare", "bands"] {
         let mut out = Vec::new();
-        let files = if command == "compare" { vec![design, other] } else { vec![design] };
+        let files = match command {
+            "compare" => vec![design, other],
+            "solve" => vec![design, "--bearing-forces"],
+            "modes" => vec![design, "--shapes"],
+            _ => vec![design],
+        };
         let arguments = ["bevelscope", command].into_iter().chain(files).chain(["--format", "json"]);
         let cli = Cli::try_parse_from(arguments).unwrap();
         cli.run(&mut out, std::io::sink()).unwrap();

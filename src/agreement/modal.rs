@@ -66,7 +66,7 @@ impl ModalComparison {
         self.pairs.iter().find(|pair| pair.fe == fe).map(|pair| pair.lumped)
     }
 
-    /// The mode with the greatest contribution to the difference of the two mesh forces at a frequency (Hz).
+    /// The mode with the greatest contribution to the difference of the two mesh forces at a frequency (Hz), of those within an octave.
     ///
     /// F_m + k_m* e = k_m*^2 e h^T H^-1 h is a sum over the modes with the mesh, (phi . h)^2 / (lambda_r (1 + j eta_r) - w^2), so the difference of two models
     /// is the sum of the differences of paired modes and of what the modes without partner give. A pair that agrees cancels, and an unpaired mode
@@ -94,7 +94,15 @@ impl ModalComparison {
         let alone = (0..self.lumped.0.len()).filter(|i| !self.pairs.iter().any(|pair| pair.lumped == *i));
         let all: Vec<_> = of_fe.chain(alone.map(|i| (None, Some(i), lumped_term(i).norm()))).collect();
         let sum: f64 = all.iter().map(|(.., size)| size).sum();
-        let (fe, lumped, size) = all.into_iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+        // modes farther off than an octave give a smooth part only; where there are none nearer they are all there is
+        let hz = |&(fe, lumped, _): &(Option<usize>, Option<usize>, f64)| {
+            let of = |modes: &Modes, i: Option<usize>| i.map(|i| modes.0[i].frequency_hz);
+            [of(&self.fe, fe), of(&self.lumped, lumped)]
+        };
+        let near = |hz: f64| (0.5 * at_hz..=2.0 * at_hz).contains(&hz);
+        let some_near = all.iter().any(|mode| mode.2 > 0.0 && hz(mode).into_iter().flatten().any(near));
+        let candidates = all.into_iter().filter(|mode| !some_near || hz(mode).into_iter().flatten().any(near));
+        let (fe, lumped, size) = candidates.max_by(|a, b| a.2.total_cmp(&b.2))?;
         (size > 0.0 && sum.is_finite()).then(|| Responsible { fe, lumped, share: size / sum })
     }
 
