@@ -214,14 +214,16 @@ fn bands_say_where_and_why() {
     assert!(table.contains("basic against FE: lines that differ by more than 10 dB") && table.contains("gear lateral"));
     assert!(run(&["--model", "reduced:99", "--tolerance", "0.1"]).contains("no line differs"));
     refused(&["bands", &elastic(), "--model", "fe"], &["themselves"]);
-    refused(&["bands", &elastic(), "--tolerance", "-1"], &["not negative"]);
+    refused(&["bands", &elastic(), "--tolerance=-1"], &["not negative"]);
 }
 
 #[test]
 fn tables_fit_eighty_columns_and_say_their_units() {
     for (arguments, units) in [
         (vec!["solve", "--format", "table"], vec!["Hz", "F, N", "deg", "um"]),
-        (vec!["modes", "--model", "enhanced,basic,reduced:2"], vec!["Hz", "%", "MAC"]),
+        (vec!["modes", "--model", "fe,enhanced,basic,reduced:2"], vec!["Hz", "%", "MAC"]),
+        (vec!["bands"], vec!["Hz", "%", "dB"]),
+        (vec!["bands", "--model", "basic"], vec!["Hz", "%", "dB"]),
         (vec!["inspect"], vec!["mm", "kg", "kg m2", "Hz", "N/m"]),
         (vec!["check"], vec!["limit Hz", "dB", "FRAC"]),
     ] {

@@ -62,9 +62,12 @@ fn no_panic_is_written_outside_tests() {
 }
 
 /// Keys whose numbers have no unit, or several that the documentation gives.
-const WITHOUT_UNIT: [&str; 18] = [
+const WITHOUT_UNIT: [&str; 20] = [
     "fe",
     "lumped",
+    // rows of the MAC matrix of a model
+    "enhanced",
+    "basic",
     "coordinates",
     "lateral",
     "axial",

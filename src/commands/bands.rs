@@ -15,7 +15,7 @@ use crate::number::grouped;
 use crate::report::csv::field;
 use crate::report::{Table, json};
 use crate::response::{Dominant, frequency_lines};
-use crate::text::{printable, wrap};
+use crate::text::{cut, printable, wrap};
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -267,6 +267,7 @@ fn write_csv(out: &mut impl Write, bands: &[BandOutput]) -> io::Result<()> {
 
 fn write_table(out: &mut impl Write, output: &Output<'_>) -> io::Result<()> {
     const WIDTH: usize = 80;
+    const WIDEST_NAME: usize = 36;
     writeln!(out, "{}", printable(output.design))?;
     if output.bands.is_empty() {
         return writeln!(out, "{}: no line differs from FE by more than {} dB", output.model, output.tolerance_db);
@@ -283,7 +284,7 @@ fn write_table(out: &mut impl Write, output: &Output<'_>) -> io::Result<()> {
             grouped(band.worst_at_hz),
             mode.map_or("-".into(), |mode| grouped(mode.frequency_hz)),
             band.shift.as_ref().map_or("-".into(), |shift| format!("{:+.1}", shift.shift_percent)),
-            mode.map_or("-".into(), |mode| mode.name.clone()),
+            mode.map_or("-".into(), |mode| cut(&mode.name, WIDEST_NAME, "..")),
         ]);
     }
     write!(out, "{table}")?;

@@ -11,7 +11,7 @@ use crate::number::significant;
 use crate::report::Table;
 use crate::report::json::{self, Object};
 use crate::response::{EnergyShare, Mode, Modes, StationShape, mode_shape};
-use crate::text::printable;
+use crate::text::{cut, printable};
 
 /// Finite element modes that are listed: those that lumped ones are paired with.
 const MOST_FE_MODES: usize = COMPARED_FE_MODES;
@@ -229,9 +229,8 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
         writeln!(out, "\n{}", model.kind.title())?;
         let mut heads = vec!["mode", "Hz"];
         heads.extend(["pinion\nlat", "ax", "tilt", "tors", "gear\nlat", "ax", "tilt", "tors"]);
-        heads.push("mesh");
         if model.kind == ModelKind::Fe {
-            heads.extend(["name", ""]);
+            heads.extend(["mesh", "name", ""]);
         } else {
             heads.extend(["FE\nmode", "FE\nHz", "shift\n%", "MAC"]);
         }
@@ -241,9 +240,8 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
             for share in [mode.pinion, mode.gear] {
                 cells.extend([share.lateral, share.axial, share.tilt, share.torsion].map(percent));
             }
-            cells.push(percent(mode.mesh_strain_share));
             if model.kind == ModelKind::Fe {
-                cells.push(mode.name());
+                cells.extend([percent(mode.mesh_strain_share), short_name(mode)]);
             } else {
                 cells.extend(partner_cells(mode, *partner));
             }
@@ -265,6 +263,12 @@ fn partner_cells(mode: &Mode, partner: Option<Partner>) -> [String; 4] {
         _ => format!("{shift:+.0}"),
     };
     [format!("{}", partner.fe_mode), significant(partner.fe_hz, 6), shift, format!("{:.2}", partner.mac)]
+}
+
+/// A mode's name in what the other columns leave of eighty; JSON has all of it.
+fn short_name(mode: &Mode) -> String {
+    const ROOM: usize = 22;
+    cut(&mode.name().replace(" plane", "").replace(", ", " "), ROOM, "..")
 }
 
 /// Whole percent, a point where there is next to nothing.
