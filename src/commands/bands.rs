@@ -267,7 +267,7 @@ fn write_csv(out: &mut impl Write, bands: &[BandOutput]) -> io::Result<()> {
 
 fn write_table(out: &mut impl Write, output: &Output<'_>) -> io::Result<()> {
     const WIDTH: usize = 80;
-    const WIDEST_NAME: usize = 36;
+    const WIDEST_NAME: usize = 34;
     writeln!(out, "{}", printable(output.design))?;
     if output.bands.is_empty() {
         return writeln!(out, "{}: no line differs from FE by more than {} dB", output.model, output.tolerance_db);
