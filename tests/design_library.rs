@@ -49,6 +49,20 @@ fn files_come_in_the_order_given_and_folders_by_name() {
     assert_eq!(listed, [single, in_folder("a.toml"), in_folder("b.toml"), missing]);
 }
 
+// Opening it would wait for a writer that never comes.
+#[cfg(unix)]
+#[test]
+fn a_pipe_among_the_designs_is_no_design() {
+    let folder = tempfile::tempdir().unwrap();
+    let design = folder.path().join("a.toml");
+    fs::write(&design, SHIPPED[0].text).unwrap();
+    let pipe = folder.path().join("pipe.toml");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let nowhere = folder.path().join("nowhere.toml");
+    std::os::unix::fs::symlink("gone", &nowhere).unwrap();
+    assert_eq!(files(&[folder.path().to_path_buf()]), [design, nowhere]);
+}
+
 #[test]
 fn one_broken_file_does_not_hide_the_others() {
     let folder = tempfile::tempdir().unwrap();

@@ -88,15 +88,43 @@ impl Quantity {
     }
 }
 
-/// The name without what people write in several ways: blanks, dots, `^`, small digits.
-pub(super) fn plain(name: &str) -> String {
-    let plain = |c: char| match c {
-        '²' => Some('2'),
-        '³' => Some('3'),
-        'µ' | 'μ' => Some('u'),
-        '^' | '*' | '·' | '.' | '⋅' => None,
-        c if c.is_whitespace() => None,
-        c => Some(c),
-    };
-    name.chars().filter_map(plain).collect()
+/// Whether `typed` is the unit `name`, as people write it: `N m` also as `Nm`, `N·m`, `N*m` or `N.m`, `m^2` also as `m2`
+/// or `m²`, `um` also as `µm`.
+pub(super) fn is_unit(typed: &str, name: &str) -> bool {
+    let mut typed = typed.trim().chars().map(plain).peekable();
+    for wanted in name.chars() {
+        match wanted {
+            ' ' => {
+                while typed.next_if(|c| c.is_whitespace()).is_some() {}
+                if typed.next_if(|c| "*·⋅.".contains(*c)).is_some() {
+                    while typed.next_if(|c| c.is_whitespace()).is_some() {}
+                }
+            }
+            '^' => {
+                typed.next_if_eq(&'^');
+            }
+            '/' => {
+                while typed.next_if(|c| c.is_whitespace()).is_some() {}
+                if typed.next() != Some('/') {
+                    return false;
+                }
+                while typed.next_if(|c| c.is_whitespace()).is_some() {}
+            }
+            wanted => {
+                if typed.next() != Some(wanted) {
+                    return false;
+                }
+            }
+        }
+    }
+    typed.next().is_none()
+}
+
+fn plain(c: char) -> char {
+    match c {
+        '²' => '2',
+        '³' => '3',
+        'µ' | 'μ' => 'u',
+        c => c,
+    }
 }

@@ -73,7 +73,9 @@ fn folder_files(folder: &Path) -> Option<Vec<PathBuf>> {
 
 fn is_design_file(path: &Path) -> bool {
     let hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
-    !hidden && path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir()
+    // a pipe would be waited for without end; a link that leads nowhere is listed, with that as its reason
+    let readable = fs::metadata(path).map_or(true, |metadata| metadata.is_file());
+    !hidden && path.extension().is_some_and(|extension| extension == "toml") && readable
 }
 
 /// Reads every design of [`files`]; a broken one is an entry with its reason.
