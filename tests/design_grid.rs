@@ -242,7 +242,11 @@ fn what_cannot_be_typed_says_what_can() {
         (0, 3, "2 kN/rad", Ok("2000.0")),
         (3, 0, "-2.5 N", Ok("-2.5")),
         (3, 3, "2 kN m/rad", Ok("2000.0")),
-        (0, 3, "2 mm", Err("a number is wanted in N/rad, e.g. -7e6 or -7000 kN")),
+        (4, 1, "-7000 kN", Ok("-7e6")),
+        (0, 3, "600 N/um", Err("unknown unit `N/um`; accepted: N/rad, kN/rad, MN/rad, lbf/rad")),
+        (0, 3, "2 lbf/in", Err("unknown unit `lbf/in`; accepted: N/rad, kN/rad, MN/rad, lbf/rad")),
+        (3, 0, "600 N/um", Err("unknown unit `N/um`; accepted: N, kN, MN, lbf")),
+        (3, 0, "x", Err("a number is wanted in N, e.g. -7e6 or -7000 kN")),
     ] {
         let edit = Edit::from_typed(&entry(i, j), typed);
         let spelled =

@@ -22,6 +22,10 @@ pub enum Quantity {
     Stiffness,
     /// N m/rad
     AngularStiffness,
+    /// N: a moment per displacement in a stiffness matrix
+    Force,
+    /// N/rad: a force per rotation in a stiffness matrix
+    ForcePerRadian,
     /// `GPa`
     ElasticModulus,
     /// kg/m^3
@@ -43,7 +47,7 @@ enum Scale {
 
 impl Quantity {
     /// Every quantity, for tables of units.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Length,
         Self::Deflection,
         Self::Frequency,
@@ -51,6 +55,8 @@ impl Quantity {
         Self::Inertia,
         Self::Stiffness,
         Self::AngularStiffness,
+        Self::Force,
+        Self::ForcePerRadian,
         Self::ElasticModulus,
         Self::Density,
         Self::Ratio,
@@ -66,6 +72,8 @@ impl Quantity {
             Self::Inertia => ("_kg_m2", "kg m^2", Scale::One),
             Self::Stiffness => ("_n_per_m", "N/m", Scale::One),
             Self::AngularStiffness => ("_n_m_per_rad", "N m/rad", Scale::One),
+            Self::Force => ("_n", "N", Scale::One),
+            Self::ForcePerRadian => ("_n_per_rad", "N/rad", Scale::One),
             Self::ElasticModulus => ("_gpa", "GPa", Scale::Times(1e9)),
             Self::Density => ("_kg_per_m3", "kg/m^3", Scale::One),
             Self::Ratio | Self::Damping => ("", "", Scale::One),

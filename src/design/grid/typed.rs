@@ -1,6 +1,6 @@
 //! What is typed into a cell, as an edit.
 
-use super::make::matrix_unit;
+use super::cell::matrix_quantity;
 use super::{Cell, CellKind};
 use crate::design::document::Tree;
 use crate::design::{Edit, Spelled};
@@ -22,7 +22,7 @@ impl Edit {
         }
         let value = match cell.kind {
             CellKind::Number(quantity, _) | CellKind::VectorEntry(quantity) => number(typed, quantity)?,
-            CellKind::MatrixEntry(row, column) => matrix_entry(typed, row, column)?,
+            CellKind::MatrixEntry(row, column) => number(typed, matrix_quantity(row, column))?,
             CellKind::Whole(..) => whole(typed)?,
             CellKind::Text | CellKind::Name => Spelled::text(typed),
             CellKind::Texts => texts(typed)?,
@@ -48,20 +48,6 @@ fn clear(cell: &Cell) -> Result<Edit, String> {
 fn number(typed: &str, quantity: Quantity) -> Result<Spelled, String> {
     let typed = parse(typed, quantity).map_err(|error| error.to_string())?;
     Spelled::parse(&typed.text).ok_or_else(|| "a number is wanted".into())
-}
-
-fn matrix_entry(typed: &str, row: usize, column: usize) -> Result<Spelled, String> {
-    match matrix_unit(row, column) {
-        "N/m" => number(typed, Quantity::Stiffness),
-        "N m/rad" => number(typed, Quantity::AngularStiffness),
-        // a force is no quantity of the file: N and kN are as N/m and kN/m
-        unit => {
-            let force = typed.strip_suffix("/rad").unwrap_or(typed).trim_end();
-            let per_metre = force.strip_suffix('N').map_or_else(|| force.to_owned(), |rest| format!("{rest}N/m"));
-            let wanted = |_| format!("a number is wanted in {unit}, e.g. -7e6 or -7000 kN");
-            number(&per_metre, Quantity::Stiffness).map_err(wanted)
-        }
-    }
 }
 
 fn whole(typed: &str) -> Result<Spelled, String> {

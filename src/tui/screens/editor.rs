@@ -385,8 +385,8 @@ fn findings_here(editing: &Editing) -> Vec<usize> {
 
 /// What a cell holds and what can be typed into it.
 fn about_cell(cell: &Cell) -> String {
-    if matches!(cell.kind, CellKind::MatrixEntry(..)) {
-        return format!("stiffness {} [{}]; 600 N/um or 1.5e5 are typed alike", cell.column.label, cell.column.unit);
+    if let (CellKind::MatrixEntry(..), Some(quantity)) = (cell.kind, cell.kind.quantity()) {
+        return format!("stiffness {} [{}], e.g. {}", cell.column.label, cell.column.unit, quantity.example());
     }
     let wanted = match cell.kind {
         CellKind::Number(quantity, limit) => {
