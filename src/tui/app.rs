@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::backend::LoadedDesign;
 use super::caps::Capabilities;
 use super::compare::CompareView;
 use super::editor::Editors;
@@ -55,6 +56,8 @@ pub struct Detail {
     pub ticket: Ticket,
     /// Whether its result is still to come.
     pub pending: bool,
+    /// What was read for that result.
+    pub(super) loaded: Option<Arc<LoadedDesign>>,
     pub outcome: Option<Outcome>,
     pub text_scroll: Scroll,
 }
@@ -62,14 +65,13 @@ pub struct Detail {
 #[derive(Debug)]
 pub enum Outcome {
     Solved {
+        /// What was solved; the library may have read the file again since.
+        loaded: Arc<LoadedDesign>,
         summary: Box<Summary>,
         picture: Box<Picture>,
     },
     /// Neither read nor solved; the whole message.
-    Failed {
-        title: &'static str,
-        text: String,
-    },
+    Failed { title: &'static str, text: String },
 }
 
 /// Spectra, and their columns at the width that was drawn last.
@@ -198,8 +200,12 @@ impl App {
         self.tickets
     }
 
-    /// Asks for the selected design if it is another one than before.
+    /// Asks for the selected design if it is another one than before. Not while tables are open: what they ask for has the
+    /// same place.
     pub(super) fn follow_selection(&mut self) -> Vec<Effect> {
+        if self.editors.open().is_some() {
+            return Vec::new();
+        }
         let path = self.library.selected().map(|row| row.path.clone());
         if path == self.detail.path {
             return Vec::new();

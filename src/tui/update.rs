@@ -46,10 +46,11 @@ impl App {
                     }
                     self.library.names_changed(moves);
                 }
-                if let Err(broken) = result
-                    && self.awaits(ticket, &path)
-                {
-                    self.finish(Outcome::Failed { title: BROKEN, text: broken.full_text });
+                if self.awaits(ticket, &path) {
+                    match result {
+                        Ok(loaded) => self.detail.loaded = Some(loaded),
+                        Err(broken) => self.finish(Outcome::Failed { title: BROKEN, text: broken.full_text }),
+                    }
                 }
                 self.follow_selection()
             }
@@ -113,7 +114,9 @@ impl App {
         if self.awaits(ticket, path) {
             match result {
                 Ok(Solved { summary, traces: Some(traces) }) => {
+                    let Some(loaded) = self.detail.loaded.take() else { return };
                     self.finish(Outcome::Solved {
+                        loaded,
                         summary: Box::new(summary),
                         picture: Box::new(Picture::new(*traces)),
                     });

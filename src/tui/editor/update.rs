@@ -54,9 +54,11 @@ impl App {
 
     /// What the explorer shows of the design already.
     fn solution_at_hand(&self, path: &Path) -> Option<Solution> {
-        let row = self.library.selected().filter(|row| row.path == path)?;
-        let Some(Outcome::Solved { summary, picture }) = &self.detail.outcome else { return None };
-        let design = Arc::new(row.loaded.as_ref()?.design.clone());
+        if self.detail.path.as_deref() != Some(path) {
+            return None;
+        }
+        let Some(Outcome::Solved { loaded, summary, picture }) = &self.detail.outcome else { return None };
+        let design = Arc::new(loaded.design.clone());
         let picture = Picture::new(Arc::clone(&picture.traces));
         Some(Solution { design, summary: (**summary).clone(), picture })
     }
@@ -86,13 +88,26 @@ impl App {
             editing.solving.pending = None;
             editing.notice = None;
         }
-        let left = self.editors.open.take();
+        self.editors.open = None;
         self.mode = Mode::Library;
-        let stale = self.library.selected().is_some_and(|row| row.stale);
-        if self.detail.pending || stale || self.detail.path != left {
+        // the selection was not followed meanwhile
+        let effects = self.follow_selection();
+        if !effects.is_empty() {
+            return effects;
+        }
+        if self.detail.pending || self.is_outdated() {
             return self.solve_selected();
         }
         vec![Effect::CancelSolve]
+    }
+
+    /// Whether what the explorer shows is not of the file as it was read last.
+    fn is_outdated(&self) -> bool {
+        let Some(row) = self.library.selected() else { return false };
+        match (&self.detail.outcome, &row.loaded) {
+            (Some(Outcome::Solved { loaded, .. }), Some(now)) => row.stale || loaded.design != now.design,
+            _ => true,
+        }
     }
 
     /// Asks for the solution of the design as it is now, if it is wanted and not under way.

@@ -83,7 +83,7 @@ fn render_right(app: &mut App, area: Rect, buffer: &mut Buffer) {
 
 fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
-    let Some(Outcome::Solved { picture, summary }) = &mut app.detail.outcome else { return };
+    let Some(Outcome::Solved { picture, summary, .. }) = &mut app.detail.outcome else { return };
     let inner = panel::frame(area, buffer, &spectrum::title(&theme, area.width), false, &theme);
     let strip_height = (inner.height * 3 / 10).clamp(3, 7) | 1;
     let upper = Rect { height: inner.height.saturating_sub(strip_height + 1), ..inner };
