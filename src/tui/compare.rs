@@ -65,23 +65,24 @@ pub struct Overlaid {
     size: (usize, usize),
 }
 
-/// Reads, solves and compares two designs. A panic in the backend becomes the message of its side.
-pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
+/// Reads, solves and compares two designs; nothing where that is no longer wanted. A panic in the backend becomes the
+/// message of its side.
+pub fn perform(job: &CompareJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool) -> Option<Compared> {
+    let mut observer = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
     let unexpected = |panic: String| format!("failed unexpectedly: {panic}");
-    let solved = job.paths.each_ref().map(|path| {
+    let mut solved = |path: &PathBuf| {
         let solve = || -> Result<(Comparison, bool), String> {
             let loaded = backend.load(path).map_err(|broken| broken.one_line)?;
             let log = loaded.design.analysis.frequency_spacing == FrequencySpacing::Log;
-            Ok((
-                backend
-                    .compare(&loaded.design, &mut |_| ControlFlow::Continue(()))
-                    .map_err(|error| error.to_string())?,
-                log,
-            ))
+            Ok((backend.compare(&loaded.design, &mut observer).map_err(|error| error.to_string())?, log))
         };
-        guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic)))
-    });
+        wanted().then(|| guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic))))
+    };
     let [a, b] = &job.paths;
+    let solved = [solved(a)?, solved(b)?];
+    if !wanted() {
+        return None;
+    }
     let differences = guarded(|| backend.differences(a, b)).unwrap_or_else(|panic| Err(unexpected(panic)));
     let fe_rms_db = match &solved {
         [Ok((a, _)), Ok((b, _))] => a.fe_rms_db(b),
@@ -94,7 +95,7 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
         enhanced: comparison.enhanced_agreement,
         basic: comparison.basic_agreement,
     };
-    Compared { differences, sides: solved.map(|solved| solved.map(side)), fe_rms_db }
+    Some(Compared { differences, sides: solved.map(|solved| solved.map(side)), fe_rms_db })
 }
 
 impl CompareView {

@@ -22,6 +22,7 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::List => worker.list(),
             Effect::ChangeFile(request) => worker.change_file(request),
             Effect::Compare(job) => worker.compare(job),
+            Effect::CancelCompare => worker.cancel_compare(),
             Effect::Redraw => session.clear()?,
             Effect::Suspend => session.suspend()?,
             Effect::Quit(ending) => return Ok(Some(ending)),

@@ -93,6 +93,8 @@ pub enum Effect {
     ChangeFile(FileRequest),
     /// Compare two designs.
     Compare(CompareJob),
+    /// The comparison is no longer wanted.
+    CancelCompare,
     /// Draw all of the screen, whatever the terminal shows.
     Redraw,
     Suspend,

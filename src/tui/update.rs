@@ -324,6 +324,7 @@ impl App {
     }
 
     fn back(&mut self) -> Vec<Effect> {
+                return vec![Effect::CancelCompare];
         match self.mode {
             Mode::HelpSearch => {
                 self.help_search = HelpSearch::default();

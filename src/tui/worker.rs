@@ -209,6 +209,8 @@ struct Shared {
     changed: Condvar,
     /// The ticket of the selected design's latest request; an older one is given up.
     latest: AtomicU64,
+    /// The same of the latest comparison.
+    latest_compared: AtomicU64,
 }
 
 #[derive(Debug, Default)]
@@ -294,8 +296,11 @@ impl Worker {
                 match task {
                     Task::ChangeFile(request) => report(change_file(request, &*backend)),
                     Task::Compare(job) => {
-                        let result = Box::new(super::compare::perform(&job, &*backend));
-                        report(Message::Compared { ticket: job.ticket, result });
+                        let wanted = || shared.latest_compared.load(Ordering::Relaxed) == job.ticket.0;
+                        let result = super::compare::perform(&job, &*backend, &wanted);
+                        if let Some(result) = result.map(Box::new) {
+                            report(Message::Compared { ticket: job.ticket, result });
+                        }
                     }
                     Task::Fill(job) => perform(&job, &*backend, &mut report),
                     Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
@@ -355,9 +360,21 @@ impl Worker {
         self.shared.changed.notify_all();
     }
 
-    /// Asks for two designs to be compared, in place of what was still waiting.
+    /// Asks for two designs to be compared; what was waiting or being solved for another comparison is given up.
     pub fn compare(&self, job: CompareJob) {
-        self.shared.lock().compare = Some(job);
+        self.set_compared(job.ticket, Some(job));
+    }
+
+    /// Gives up the comparison that is waiting or being made.
+    pub fn cancel_compare(&self) {
+        self.set_compared(Ticket::default(), None);
+    }
+
+    fn set_compared(&self, ticket: Ticket, job: Option<CompareJob>) {
+        let mut queues = self.shared.lock();
+        queues.compare = job;
+        self.shared.latest_compared.store(ticket.0, Ordering::Relaxed);
+        drop(queues);
         self.shared.changed.notify_all();
     }
 

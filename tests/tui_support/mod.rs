@@ -383,7 +383,7 @@ impl Screen {
         match effect {
             Effect::ChangeFile(request) => Some(worker::change_file(request.clone(), &*self.backend)),
             Effect::Compare(job) => {
-                let result = Box::new(compare::perform(job, &*self.backend));
+                let result = Box::new(compare::perform(job, &*self.backend, &|| true)?);
                 Some(Message::Compared { ticket: job.ticket, result })
             }
             Effect::List => self.backend.list().map(Message::Listed),
