@@ -160,6 +160,19 @@ fn the_command_checks_a_file_and_prints_what_is_in_force() {
     }
 }
 
+/// A file that never ends is no file of keys.
+#[cfg(target_os = "linux")]
+#[test]
+fn no_more_is_read_than_a_file_of_keys_may_have() {
+    let config = tempfile::tempdir().unwrap();
+    for option in ["--keys", "--check"] {
+        let output = bevelscope(&["keys", option, "/dev/zero"], config.path());
+        assert_eq!(output.status.code(), Some(2), "{option}");
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert!(error.contains("larger than 1 MiB"), "{error}");
+    }
+}
+
 /// The user's own file, where the system looks for such files.
 #[cfg(target_os = "linux")]
 #[test]

@@ -27,6 +27,7 @@ mod save;
 pub mod schema;
 mod side;
 mod station;
+mod text_file;
 mod totals;
 
 pub use diff::{Difference, diff};
@@ -43,4 +44,5 @@ pub use rotor::*;
 pub use save::{SaveError, save, save_new};
 pub use side::Side;
 pub use station::{MAX_STATIONS, SAME_STATION};
+pub(crate) use text_file::{TextError, read_text};
 pub use totals::Totals;
