@@ -501,3 +501,20 @@ fn what_edits_make_up_is_valid() {
     let diagonal: Vec<f64> = (0..6).map(|i| matrix[i][i]).collect();
     assert_eq!(diagonal, [6e8, 2.5e8, 6e8, 1.5e5, 0.0, 1.5e5]);
 }
+
+// Reading the text anew for each of 1,500 segments would take minutes.
+#[test]
+fn a_material_of_many_segments_is_renamed_in_time() {
+    const SEGMENTS: usize = 1500;
+    let written = "\n[[pinion.segment]]\nlength_mm = 1.0\nouter_diameter_mm = 30.0\nmaterial = \"steel\"\n";
+    let default = "\n[[pinion.segment]]\nlength_mm = 1.0\nouter_diameter_mm = 30.0\n";
+    let text = format!("{}{}", SHIPPED[0].text, (written.to_owned() + default).repeat(SEGMENTS / 2));
+    let mut editor = Editor::new(text.as_str()).unwrap();
+    let started = std::time::Instant::now();
+    editor.apply(&Edit::RenameMaterial { from: "steel".into(), to: "18CrNiMo7-6".into() }).unwrap();
+    assert!(started.elapsed() < std::time::Duration::from_secs(20), "{:?}", started.elapsed());
+    // the four segments of each shaft come with the shipped design
+    assert_eq!(editor.text().matches("material = \"18CrNiMo7-6\"").count(), SEGMENTS + 8);
+    editor.undo();
+    assert_eq!(editor.text(), text);
+}
