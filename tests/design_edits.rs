@@ -433,7 +433,7 @@ fn errors_in_a_design_are_allowed_and_found() {
     let mut editor = Editor::new(SHIPPED[0].text).unwrap();
     editor.apply(&set("pinion.segment[0].length_mm", "-1")).unwrap();
     assert!(editor.reading().design.is_none());
-    assert_eq!(editor.reading().errors().next().unwrap().key_path, "pinion.segment[0].length_mm");
+    assert_eq!(editor.reading().errors().next().unwrap().shown_path(), "pinion.segment[0].length_mm");
     editor.undo();
     assert!(editor.reading().design.is_some());
 }

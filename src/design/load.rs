@@ -83,8 +83,9 @@ fn reason_of(text: &str, findings: &[Finding]) -> String {
     if let Some(span) = &first.span {
         reason = format!("line {}: ", Source::new("", text).position(span.start).line);
     }
-    if !first.key_path.is_empty() {
-        reason.push_str(&printable(&first.key_path));
+    let path = first.shown_path();
+    if !path.is_empty() {
+        reason.push_str(&printable(&path));
         reason.push_str(": ");
     }
     reason.push_str(&printable(&first.message));

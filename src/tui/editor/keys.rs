@@ -124,9 +124,9 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         Action::GoToFinding => {
             let cursor = list.cursor;
             let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
-            match path.as_deref().map(str::parse::<KeyPath>) {
-                Some(Ok(path)) => editing.go_to(&path),
-                Some(Err(_)) => editing.say("this one is about the whole file"),
+            match path {
+                Some(path) if path == KeyPath::root() => editing.say("this one is about the whole file"),
+                Some(path) => editing.go_to(&path),
                 None => editing.layer = None,
             }
             return;

@@ -14,7 +14,7 @@
 use toml::de::{DeTable, DeValue};
 
 use super::{Bound, Key, Keys};
-use crate::design::{Finding, Severity, did_you_mean};
+use crate::design::{Finding, KeyPath, Severity, did_you_mean};
 use crate::tui::action::{ACTIONS, Action};
 use crate::tui::keymap::{self, Mode};
 
@@ -91,7 +91,7 @@ impl Reader {
     fn error(&mut self, span: Span, message: impl Into<String>, hint: Option<String>) {
         self.findings.push(Finding {
             severity: Severity::Error,
-            key_path: String::new(),
+            key_path: KeyPath::root(),
             span: Some(span),
             message: message.into(),
             hint,

@@ -80,8 +80,7 @@ pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer
             let cell = editing.view.matrix_entry(row, (i, j));
             // a finding about the matrix as a whole stands below it
             let own = cell.map_or(Vec::new(), |cell| {
-                let path = cell.path.to_string();
-                let own = |at: &usize| editing.findings().get(*at).is_some_and(|finding| finding.key_path == path);
+                let own = |at: &usize| editing.findings().get(*at).is_some_and(|finding| finding.key_path == cell.path);
                 cell.findings.iter().copied().filter(own).collect::<Vec<_>>()
             });
             if let Some((mark, style)) = mark(editing.findings(), &own, theme) {
