@@ -90,7 +90,7 @@ fn walk(text: &str, reached: &mut BTreeSet<(&'static str, &'static str)>) {
             } else if let CellKind::Choice(_) | CellKind::Model(_) | CellKind::Text | CellKind::Name = cell.kind {
                 assert_eq!(now.shown, Shown::Written(typed.clone()), "{}", cell.path);
             }
-            assert_eq!(editor.undo(), Some(applied.name));
+            assert_eq!(editor.undo(), Some(applied));
             assert_eq!(editor.text(), text, "{}", cell.path);
         }
         if !changed {

@@ -9,7 +9,7 @@ use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
 use super::view::{Place, Tab, View};
 use crate::design::grid::{Cell, Shown};
-use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, KeyPath, Side};
+use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, Side};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
@@ -19,8 +19,6 @@ use crate::tui::keymap::Mode;
 pub struct Editing {
     pub path: PathBuf,
     pub editor: Editor,
-    /// The text that is in the file, as far as is known.
-    saved: String,
     saved_design: Option<Arc<Design>>,
     /// What the text says; nothing while it has errors.
     pub design: Option<Arc<Design>>,
@@ -36,9 +34,6 @@ pub struct Editing {
     pub notice: Option<Notice>,
     /// A text is on its way to the file.
     pub is_saving: bool,
-    /// Where to look for each edit that can be undone, and redone.
-    done: Vec<KeyPath>,
-    undone: Vec<KeyPath>,
 }
 
 /// What lies over the table and takes the keys.
@@ -75,7 +70,6 @@ impl Editing {
         let (tab, side) = (Tab::Segments, Side::Pinion);
         let mut editing = Self {
             path,
-            saved: editor.text().to_owned(),
             saved_design: None,
             design: None,
             last_design: None,
@@ -89,8 +83,6 @@ impl Editing {
             solving: Solving::default(),
             notice: None,
             is_saving: false,
-            done: Vec::new(),
-            undone: Vec::new(),
         };
         editing.take_in_text();
         editing.saved_design = editing.design.clone();
@@ -110,12 +102,12 @@ impl Editing {
     }
 
     pub fn is_modified(&self) -> bool {
-        self.editor.text() != self.saved
+        self.editor.is_modified()
     }
 
     /// The text that the file had when it was read or written last.
     pub fn saved_text(&self) -> &str {
-        &self.saved
+        self.editor.saved_text()
     }
 
     pub fn findings(&self) -> &[Finding] {
@@ -181,8 +173,6 @@ impl Editing {
     pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
         let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
         if applied.changed {
-            self.done.push(applied.focus.clone());
-            self.undone.clear();
             self.take_in_text();
         }
         Ok(applied)
@@ -194,28 +184,26 @@ impl Editing {
     }
 
     pub fn undo(&mut self) {
-        let Some(name) = self.editor.undo() else { return self.say("nothing to undo") };
-        let focus = self.done.pop();
-        self.step_taken("undo", &name, focus.clone());
-        self.undone.extend(focus);
+        match self.editor.undo() {
+            Some(applied) => self.step_taken("undo", &applied),
+            None => self.say("nothing to undo"),
+        }
     }
 
     pub fn redo(&mut self) {
-        let Some(name) = self.editor.redo() else { return self.say("nothing to redo") };
-        let focus = self.undone.pop();
-        self.step_taken("redo", &name, focus.clone());
-        self.done.extend(focus);
+        match self.editor.redo() {
+            Some(applied) => self.step_taken("redo", &applied),
+            None => self.say("nothing to redo"),
+        }
     }
 
-    fn step_taken(&mut self, what: &str, name: &EditName, focus: Option<KeyPath>) {
+    fn step_taken(&mut self, what: &str, Applied { name, focus, .. }: &Applied) {
         let entry = match self.layer {
             Some(Layer::Matrix(entry)) => Some((entry, self.cursor().row)),
             _ => None,
         };
         self.take_in_text();
-        if let Some(focus) = focus {
-            self.go_to(&focus);
-        }
+        self.go_to(focus);
         // the matrix stays open while its entries change
         if let Some((entry, row)) = entry.filter(|(_, row)| self.cursor().row == *row && self.on_matrix()) {
             self.cursor_mut().row = row;
@@ -232,12 +220,11 @@ impl Editing {
     /// Takes over that a text is in the file now.
     pub fn saved(&mut self, text: String) {
         if self.editor.text() == text {
-            self.editor.mark_saved();
             self.saved_design.clone_from(&self.design);
         } else {
             self.saved_design = crate::design::read(&text).design.map(Arc::new);
         }
-        self.saved = text;
+        self.editor.mark_saved(text);
         self.solving.ghost = None;
         self.keep_ghost();
     }
@@ -250,7 +237,6 @@ impl Editing {
             && let Ok(editor) = Editor::new(text.clone())
         {
             self.editor = editor;
-            (self.done, self.undone) = (Vec::new(), Vec::new());
             self.take_in_text();
         }
         self.path = path;
