@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::app::App;
 use super::keymap::Mode;
-use super::library::Row;
+use super::library::{Library, Row};
 use super::message::Effect;
 use super::text_field::TextField;
-use crate::design::library::{Trashed, VariantName};
+use crate::design::library::{NameError, Trashed, VariantName};
 
 /// Something to be done with a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,6 +56,20 @@ pub struct Form {
     pub pending: bool,
 }
 
+/// Why a design cannot have the name.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum NotFree {
+    #[error(transparent)]
+    Name(#[from] NameError),
+    #[error("this is its name now")]
+    Same,
+    #[error("there is a design of that name already")]
+    Taken,
+    /// By the file system, in its words
+    #[error("{0}")]
+    Refused(String),
+}
+
 impl App {
     pub(super) fn open_form(&mut self, purpose: Purpose) {
         let Some(row) = self.library.selected() else { return };
@@ -80,40 +94,11 @@ impl App {
         numbered.into_iter().find(is_free).unwrap_or_default()
     }
 
-    /// What the form would do.
-    ///
-    /// # Errors
-    ///
-    /// What is wrong with the name, in words.
-    pub fn checked_form(&self) -> Result<FileRequest, String> {
-        let Some(form) = &self.form else { return Err(String::new()) };
-        if let Some(refused) = &form.refused {
-            return Err(refused.clone());
-        }
-        let name = VariantName::new(form.field.text().trim()).map_err(|error| error.to_string())?;
-        let target = name.path_in(form.path.parent().unwrap_or(Path::new("")));
-        if target == form.path {
-            return Err("this is its name now".into());
-        }
-        if self.library.row(&target).is_some() {
-            return Err("there is a design of that name already".into());
-        }
-        let path = form.path.clone();
-        Ok(match form.purpose {
-            Purpose::Rename => FileRequest::Rename { path, name },
-            Purpose::Duplicate => FileRequest::Duplicate { path, name },
-        })
-    }
-
     pub(super) fn accept_form(&mut self) -> Vec<Effect> {
-        if self.form.as_ref().is_none_or(|form| form.pending) {
-            return Vec::new();
-        }
+        let Some(form) = self.form.as_mut().filter(|form| !form.pending) else { return Vec::new() };
         // what is wrong stands beside the name already
-        let Ok(request) = self.checked_form() else { return Vec::new() };
-        if let Some(form) = &mut self.form {
-            form.pending = true;
-        }
+        let Ok(request) = form.checked(&self.library) else { return Vec::new() };
+        form.pending = true;
         vec![Effect::ChangeFile(request)]
     }
 
@@ -215,6 +200,30 @@ impl App {
 }
 
 impl Form {
+    /// What the form would do.
+    ///
+    /// # Errors
+    ///
+    /// [`NotFree`] says what is wrong with the name.
+    pub fn checked(&self, library: &Library) -> Result<FileRequest, NotFree> {
+        if let Some(refused) = &self.refused {
+            return Err(NotFree::Refused(refused.clone()));
+        }
+        let name = VariantName::new(self.field.text().trim())?;
+        let target = name.path_in(self.path.parent().unwrap_or(Path::new("")));
+        if target == self.path {
+            return Err(NotFree::Same);
+        }
+        if library.row(&target).is_some() {
+            return Err(NotFree::Taken);
+        }
+        let path = self.path.clone();
+        Ok(match self.purpose {
+            Purpose::Rename => FileRequest::Rename { path, name },
+            Purpose::Duplicate => FileRequest::Duplicate { path, name },
+        })
+    }
+
     fn asked(&self, request: &FileRequest) -> bool {
         match (self.purpose, request) {
             (Purpose::Rename, FileRequest::Rename { path, .. })

@@ -136,15 +136,12 @@ const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
 const TABLE: &[Mode] = &[Mode::Table];
 const CELL: &[Mode] = &[Mode::Cell];
 const FORM: &[Mode] = &[Mode::Form];
-const LINES: &[Mode] = &[Mode::Cell, Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
 const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
-/// Where the cursor can stand within the text.
-const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// What lies over the explorer and is closed.
 const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
 const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
@@ -226,7 +223,7 @@ pub const BINDINGS: &[Binding] = &[
     key(CELL, KeyCode::BackTab, Action::AcceptPrevious),
     key(&[Mode::Choice], KeyCode::Enter, Action::Choose),
     letter(&[Mode::Choice], ' ', Action::Tick),
-    control(LINES, 'w', Action::DeleteWord),
+    control(TYPING, 'w', Action::DeleteWord),
     key(FORM, KeyCode::Enter, Action::SaveForm),
     key(FORM, KeyCode::Tab, Action::NextField),
     key(FORM, KeyCode::BackTab, Action::NextField),
@@ -256,15 +253,15 @@ pub const BINDINGS: &[Binding] = &[
     letter(PANES, 'D', Action::Delete),
     letter(PANES, 'u', Action::RestoreDeleted),
     key(FILTERING, KeyCode::Enter, Action::KeepFilter),
-    key(FIELDS, KeyCode::Left, Action::TextLeft),
-    key(FIELDS, KeyCode::Right, Action::TextRight),
-    key(FIELDS, KeyCode::Home, Action::TextStart),
-    control(FIELDS, 'a', Action::TextStart),
-    key(FIELDS, KeyCode::End, Action::TextEnd),
-    control(FIELDS, 'e', Action::TextEnd),
+    key(TYPING, KeyCode::Left, Action::TextLeft),
+    key(TYPING, KeyCode::Right, Action::TextRight),
+    key(TYPING, KeyCode::Home, Action::TextStart),
+    control(TYPING, 'a', Action::TextStart),
+    key(TYPING, KeyCode::End, Action::TextEnd),
+    control(TYPING, 'e', Action::TextEnd),
     key(TYPING, KeyCode::Backspace, Action::DeleteCharacter),
     control(TYPING, 'h', Action::DeleteCharacter),
-    key(FIELDS, KeyCode::Delete, Action::DeleteForward),
+    key(TYPING, KeyCode::Delete, Action::DeleteForward),
     control(TYPING, 'u', Action::ClearText),
     key(ANSWERED, KeyCode::Enter, Action::Accept),
     letter(CONFIRM, 'y', Action::Accept),

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::backend::{BrokenDesign, LoadedDesign};
+use super::text_field::TextField;
 use super::worker::{Summary, Ticket};
 use crate::design::library::tree;
 use crate::text::printable;
@@ -100,7 +101,7 @@ pub struct Library {
     wanted: Option<PathBuf>,
     /// Place of the selection in `shown`.
     cursor: usize,
-    filter: String,
+    filter: TextField,
     /// First visible place, and how many are visible: known after the first frame.
     scroll: usize,
     height: usize,
@@ -130,6 +131,10 @@ impl Library {
     }
 
     pub fn filter(&self) -> &str {
+        self.filter.text()
+    }
+
+    pub fn filter_field(&self) -> &TextField {
         &self.filter
     }
 
@@ -168,7 +173,12 @@ impl Library {
 
     /// Changes the filter; the selection stays on its design while that matches.
     pub fn set_filter(&mut self, filter: String) {
-        self.filter = filter;
+        self.edit_filter(|field| *field = TextField::new(filter));
+    }
+
+    /// The same, as it is typed.
+    pub fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) {
+        edit(&mut self.filter);
         self.refilter();
     }
 
@@ -234,7 +244,7 @@ impl Library {
 
     fn refilter(&mut self) {
         let selected = self.shown.get(self.cursor).map(|&(at, _)| at);
-        let filter = self.filter.to_lowercase();
+        let filter = self.filter.text().to_lowercase();
         let all: Vec<usize> = (0..self.rows.len()).collect();
         let matching: Vec<usize> = all.iter().copied().filter(|&at| self.rows[at].matches(&filter)).collect();
         self.shown = self.ordered(&matching);

@@ -151,7 +151,6 @@ impl App {
     /// Letters, where something is typed.
     fn type_text(&mut self, text: &str) -> Vec<Effect> {
         match self.mode {
-            Mode::Filter => self.edit_filter(|filter| filter.push_str(text)),
             Mode::Cell | Mode::Form => self.paste_in_editor(text),
             _ => self.edit(|field| field.insert(text)),
         }
@@ -160,6 +159,7 @@ impl App {
     /// Changes what is being typed.
     fn edit(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
         match self.mode {
+            Mode::Filter => return self.edit_filter(edit),
             Mode::HelpSearch => self.edit_help_search(edit),
             Mode::Palette => self.edit_palette(edit),
             Mode::Name => self.edit_form(edit),
@@ -170,14 +170,11 @@ impl App {
 
     /// Text from the clipboard is text and never keys: a `q` in it does not quit.
     fn paste(&mut self, text: &str) -> Vec<Effect> {
-        let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
-        self.type_text(&line)
+        self.type_text(text)
     }
 
-    fn edit_filter(&mut self, edit: impl FnOnce(&mut String)) -> Vec<Effect> {
-        let mut filter = self.library.filter().to_owned();
-        edit(&mut filter);
-        self.library.set_filter(filter);
+    fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
+        self.library.edit_filter(edit);
         self.follow_selection()
     }
 
@@ -199,7 +196,7 @@ impl App {
             }
             Action::Filter => {
                 self.mode = Mode::Filter;
-                Vec::new()
+                self.edit_filter(TextField::end)
             }
             Action::KeepFilter if self.mode == Mode::HelpSearch => {
                 self.close();
@@ -215,17 +212,6 @@ impl App {
             }
             Action::NextMatch => self.next_match(1),
             Action::PreviousMatch => self.next_match(-1),
-            Action::DeleteCharacter if self.mode == Mode::Filter => {
-                self.edit_filter(|filter| filter.truncate(filter.len() - last_letter(filter)))
-            }
-            Action::DeleteCharacter => self.edit(TextField::delete_before),
-            Action::DeleteForward => self.edit(TextField::delete_after),
-            Action::ClearText if self.mode == Mode::Filter => self.edit_filter(String::clear),
-            Action::ClearText => self.edit(TextField::clear),
-            Action::TextLeft => self.edit(TextField::left),
-            Action::TextRight => self.edit(TextField::right),
-            Action::TextStart => self.edit(TextField::start),
-            Action::TextEnd => self.edit(TextField::end),
             Action::ToggleTree => {
                 self.library.toggle_tree();
                 self.say(if self.library.is_tree() { "variants below their parents" } else { "all designs by name" });
@@ -264,8 +250,8 @@ impl App {
             Action::OpenEditor => self.open_editor(),
             Action::SaveAll => self.save_all(),
             Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
-            // the rest is the editor's
-            _ => Vec::new(),
+            // the rest is about what is typed, or the editor's
+            _ => TextField::edit_of(action).map_or(Vec::new(), |edit| self.edit(edit)),
         }
     }
 
@@ -324,7 +310,6 @@ impl App {
     }
 
     fn back(&mut self) -> Vec<Effect> {
-                return vec![Effect::CancelCompare];
         match self.mode {
             Mode::HelpSearch => {
                 self.help_search = HelpSearch::default();
@@ -339,21 +324,17 @@ impl App {
             Mode::Compare => {
                 self.compare = None;
                 self.close();
+                return vec![Effect::CancelCompare];
             }
             Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
             Mode::Leave => self.stay(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {
                 self.mode = Mode::Library;
-                return self.edit_filter(String::clear);
+                return self.edit_filter(|filter| *filter = TextField::default());
             }
             _ => {}
         }
         Vec::new()
     }
-}
-
-/// Bytes of the last letter.
-fn last_letter(text: &str) -> usize {
-    text.chars().next_back().map_or(0, char::len_utf8)
 }

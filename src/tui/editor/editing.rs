@@ -170,8 +170,8 @@ impl Editing {
     }
 
     /// Makes an edit. Where the cursor goes is left to the caller.
-    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
-        let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
+    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
+        let applied = self.editor.apply(edit)?;
         if applied.changed {
             self.take_in_text();
         }
@@ -180,7 +180,7 @@ impl Editing {
 
     /// Makes an edit and says why it cannot be made.
     pub(super) fn make(&mut self, edit: &Edit) -> Option<Applied> {
-        self.apply(edit).map_err(|error| self.warn(error)).ok()
+        self.apply(edit).map_err(|error| self.warn(error.to_string())).ok()
     }
 
     pub fn undo(&mut self) {

@@ -82,7 +82,7 @@ impl App {
                 vec![Effect::File(FileJob::SaveVariant { original, name, text, note })]
             }
             Err(error) => {
-                form.error = Some(error);
+                form.error = Some(error.to_string());
                 form.on_note = false;
                 Vec::new()
             }

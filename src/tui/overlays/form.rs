@@ -29,7 +29,7 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         Purpose::Duplicate => "Copy",
     };
     let stem = Row::new(form.path.clone()).stem;
-    let (style, text) = match app.checked_form() {
+    let (style, text) = match form.checked(&app.library) {
         _ if form.pending => (theme.faint, format!("working{}", theme.glyphs.ellipsis)),
         Ok(_) => (theme.faint, "in the same folder; .toml is added".to_owned()),
         Err(error) => (theme.error, format!("{} {error}", theme.glyphs.broken)),

@@ -17,5 +17,6 @@ pub mod side_view;
 pub mod spectrum;
 pub mod table;
 pub mod tabs;
+pub mod text_line;
 pub mod text_pane;
 pub mod variant_form;
