@@ -226,7 +226,7 @@ impl App {
     pub(in crate::tui) fn type_in_editor(&mut self, letter: char) -> Vec<Effect> {
         let mode = self.mode;
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
-        if matches!(mode, Mode::Table | Mode::Matrix) && "-+.09".contains(letter) {
+        if matches!(mode, Mode::Table | Mode::Matrix) && (letter.is_ascii_digit() || "-+.".contains(letter)) {
             editing.notice = None;
             editing.type_number(letter);
         }
