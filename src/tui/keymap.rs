@@ -151,9 +151,6 @@ const COMMANDS: &[Mode] =
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 
-/// Actions that have no key of their own, and where they can be used all the same.
-const WITHOUT_KEY: &[(Action, &[Mode])] = &[];
-
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
 }
@@ -284,9 +281,7 @@ pub const BINDINGS: &[Binding] = &[
 
 /// Whether an action can be used in a mode.
 pub fn is_known(mode: Mode, action: Action) -> bool {
-    let here = |modes: &[Mode], other: Action| other == action && modes.contains(&mode);
-    BINDINGS.iter().any(|binding| here(binding.modes, binding.action))
-        || WITHOUT_KEY.iter().any(|(action, modes)| here(modes, *action))
+    BINDINGS.iter().any(|binding| binding.action == action && binding.modes.contains(&mode))
 }
 
 #[cfg(test)]
@@ -305,11 +300,6 @@ mod tests {
             assert!(!["none", "all"].contains(&about.name), "{about:?}");
             let modes: Vec<Mode> = Mode::ALL.into_iter().filter(|mode| is_known(*mode, about.action)).collect();
             assert!(!modes.is_empty(), "{} can be used nowhere", about.name);
-            // what has no key is in the palette, which must be there
-            for mode in modes {
-                let has_key = !Keys::default().of(mode, about.action, false).is_empty();
-                assert!(has_key || is_known(mode, Action::Palette), "no way to {} in {mode:?}", about.name);
-            }
         }
     }
 

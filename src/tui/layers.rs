@@ -1,7 +1,7 @@
 //! What lies over what: the mode that listens to the keys, and those below it.
 
 use super::action::Action;
-use super::app::{App, Outcome};
+use super::app::App;
 use super::editor::{Editing, Layer};
 use super::keymap::Mode;
 use super::message::Effect;
@@ -59,11 +59,6 @@ impl App {
             _ if !self.below.is_empty() => true,
             _ => self.editors.open().is_none_or(|editing| applies_in_editor(editing, action)),
         }
-    }
-
-    /// Whether the present outcome is a solution.
-    pub fn is_solved(&self) -> bool {
-        matches!(self.detail.outcome, Some(Outcome::Solved { .. }))
     }
 }
 

@@ -162,10 +162,6 @@ impl Library {
         self.cursor = 0;
     }
 
-    pub fn select_last(&mut self) {
-        self.cursor = self.shown.len().saturating_sub(1);
-    }
-
     /// Rows of a page; one stays in sight.
     pub fn page(&self) -> isize {
         self.height.saturating_sub(1).max(1).cast_signed()

@@ -15,7 +15,6 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::load::{LoadError, Loaded, load};
 use crate::text::printable;
 
 /// A design that comes with the program.
@@ -31,20 +30,6 @@ pub const SHIPPED: &[Shipped] = &[
     Shipped { file_name: "overhung-rigid.toml", text: include_str!("../../../designs/overhung-rigid.toml") },
     Shipped { file_name: "straddle-elastic.toml", text: include_str!("../../../designs/straddle-elastic.toml") },
 ];
-
-/// One file of a library: its design, or why there is none.
-#[derive(Debug)]
-pub struct Entry {
-    pub path: PathBuf,
-    pub loaded: Result<Loaded, LoadError>,
-}
-
-impl Entry {
-    /// The file's name without `.toml`, harmless to show.
-    pub fn stem(&self) -> String {
-        printable(&self.path.file_stem().unwrap_or_default().to_string_lossy()).into_owned()
-    }
-}
 
 /// Why there is no default library.
 #[derive(Debug, thiserror::Error)]
@@ -74,11 +59,6 @@ fn folder_files(folder: &Path) -> Option<Vec<PathBuf>> {
 fn is_design_file(path: &Path) -> bool {
     let hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
     !hidden && path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir()
-}
-
-/// Reads every design of [`files`]; a broken one is an entry with its reason.
-pub fn load_all(paths: &[PathBuf]) -> Vec<Entry> {
-    files(paths).into_iter().map(|path| Entry { loaded: load(&path), path }).collect()
 }
 
 /// The library that is used where none is named: `designs` in the current folder, else in the user's data folder, filled
