@@ -5,6 +5,8 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use clap::CommandFactory;
+
 use super::CommandError;
 use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, Observer, SolveError};
@@ -46,9 +48,9 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
 fn no_such(path: &Path) -> String {
     const ALIKE: f64 = 0.6;
     let shown = path.display().to_string();
-    let commands = ["solve", "modes", "check", "inspect", "compare", "keys"];
+    let cli = super::Cli::command();
     let alike = |command: &&str| strsim::normalized_damerau_levenshtein(&shown, command) >= ALIKE;
-    let hint = commands.into_iter().find(alike);
+    let hint = cli.get_subcommands().map(clap::Command::get_name).find(alike);
     let hint = hint.map(|command| format!("; did you mean the command `{command}`?")).unwrap_or_default();
     let what =
         if shown == "-" { "the explorer opens files, not standard input" } else { "there is no such file or folder" };
