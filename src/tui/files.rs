@@ -31,10 +31,31 @@ pub enum FileRequest {
 /// A file is where it was asked to be.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileDone {
-    Renamed { from: PathBuf, to: PathBuf },
-    Duplicated { from: PathBuf, to: PathBuf },
-    Deleted { path: PathBuf, trashed: Trashed },
-    Restored { path: PathBuf },
+    /// Those that named the old one as their parent name the new one now.
+    Renamed {
+        from: PathBuf,
+        to: PathBuf,
+        variants: Vec<Followed>,
+    },
+    Duplicated {
+        from: PathBuf,
+        to: PathBuf,
+    },
+    Deleted {
+        path: PathBuf,
+        trashed: Trashed,
+    },
+    Restored {
+        path: PathBuf,
+    },
+}
+
+/// A variant of a design that was renamed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Followed {
+    pub path: PathBuf,
+    /// Its text now, or why it still names the old parent.
+    pub result: Result<String, String>,
 }
 
 /// What the form asks for.
@@ -111,7 +132,13 @@ impl App {
         }
         // what is wrong stands beside the name already
         let Ok(request) = self.checked_form() else { return Vec::new() };
+        let is_saving = self.editors.is_saving();
         if let Some(form) = &mut self.form {
+            // a variant that is being written could not follow
+            if is_saving {
+                form.refused = Some("a design is being saved: try again in a moment".into());
+                return Vec::new();
+            }
             form.pending = true;
         }
         vec![Effect::ChangeFile(request)]
@@ -175,15 +202,25 @@ impl App {
     fn take_over(&mut self, done: FileDone) {
         let stem = |path: &Path| Row::new(path.into()).stem;
         match done {
-            FileDone::Renamed { from, to } => {
-                let alone = self.library.row(&from).map_or(0, |row| self.library.variants(row));
-                let variants = match alone {
+            FileDone::Renamed { from, to, variants } => {
+                let (followed, failed): (Vec<_>, Vec<_>) = variants.into_iter().partition(|one| one.result.is_ok());
+                let variants = match followed.len() {
                     0 => String::new(),
-                    1 => "; 1 variant still names the old one as its parent".into(),
-                    more => format!("; {more} variants still name the old one as their parent"),
+                    1 => "; 1 variant follows".into(),
+                    more => format!("; {more} variants follow"),
                 };
                 self.say(format!("renamed {} to {}{variants}", stem(&from), stem(&to)));
                 self.editors.forget(&from);
+                self.editors.follow_parent(&from, &to, &followed);
+                for Followed { path, .. } in &followed {
+                    if let Some(row) = self.library.row_mut(path) {
+                        row.stale = true;
+                    }
+                }
+                for Followed { path, result } in failed {
+                    let error = result.err().unwrap_or_default();
+                    self.complain(format!("{} still names {} as its parent: {error}", stem(&path), stem(&from)));
+                }
                 self.library.moved(&from, &to);
                 self.library.want(to);
             }
