@@ -10,16 +10,19 @@ use super::keymap::Mode;
 use super::library::Row;
 use super::message::Effect;
 use super::traces::{Envelope, envelope, levels, range};
+use super::widgets::findings::sentence;
 use super::worker::{Ticket, guarded};
 use crate::agreement::Agreement;
 use crate::comparison::Comparison;
-use crate::design::{Difference, FrequencySpacing};
+use crate::design::{self, Design, Difference, FrequencySpacing};
 
 /// Two files to be compared: the marked one, and the selected one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CompareJob {
     pub ticket: Ticket,
     pub paths: [PathBuf; 2],
+    /// What is to be compared in place of a file with edits that are not saved.
+    pub unsaved: [Option<String>; 2],
 }
 
 /// The result.
@@ -48,8 +51,9 @@ pub struct ComparedSide {
 #[derive(Debug)]
 pub struct CompareView {
     pub ticket: Ticket,
-    /// Names of the files, safe to show.
+    /// Names of the files, safe to show, and whether their edits count that are not saved.
     pub names: [String; 2],
+    paths: [PathBuf; 2],
     pub result: Option<Compared>,
     pub scroll: Scroll,
     columns: Option<Overlaid>,
@@ -68,21 +72,16 @@ pub struct Overlaid {
 /// Reads, solves and compares two designs. A panic in the backend becomes the message of its side.
 pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
     let unexpected = |panic: String| format!("failed unexpectedly: {panic}");
-    let solved = job.paths.each_ref().map(|path| {
+    let solved = [0, 1].map(|side| {
         let solve = || -> Result<(Comparison, bool), String> {
-            let loaded = backend.load(path).map_err(|broken| broken.one_line)?;
-            let log = loaded.design.analysis.frequency_spacing == FrequencySpacing::Log;
-            Ok((
-                backend
-                    .compare(&loaded.design, &mut |_| ControlFlow::Continue(()))
-                    .map_err(|error| error.to_string())?,
-                log,
-            ))
+            let design = job.design(side, backend)?;
+            let log = design.analysis.frequency_spacing == FrequencySpacing::Log;
+            let comparison = backend.compare(&design, &mut |_| ControlFlow::Continue(()));
+            Ok((comparison.map_err(|error| error.to_string())?, log))
         };
         guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic)))
     });
-    let [a, b] = &job.paths;
-    let differences = guarded(|| backend.differences(a, b)).unwrap_or_else(|panic| Err(unexpected(panic)));
+    let differences = guarded(|| job.differences(backend)).unwrap_or_else(|panic| Err(unexpected(panic)));
     let fe_rms_db = match &solved {
         [Ok((a, _)), Ok((b, _))] => a.fe_rms_db(b),
         _ => None,
@@ -95,6 +94,29 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
         basic: comparison.basic_agreement,
     };
     Compared { differences, sides: solved.map(|solved| solved.map(side)), fe_rms_db }
+}
+
+impl CompareJob {
+    fn design(&self, side: usize, backend: &dyn Backend) -> Result<Design, String> {
+        let Some(text) = &self.unsaved[side] else {
+            return Ok(backend.load(&self.paths[side]).map_err(|broken| broken.one_line)?.design);
+        };
+        let reading = design::read(text);
+        let error = reading.errors().next().map(sentence).unwrap_or_default();
+        reading.design.ok_or(error)
+    }
+
+    fn differences(&self, backend: &dyn Backend) -> Result<Vec<Difference>, String> {
+        let [a, b] = &self.paths;
+        if self.unsaved.iter().all(Option::is_none) {
+            return backend.differences(a, b);
+        }
+        let text = |side: usize| match &self.unsaved[side] {
+            Some(text) => Ok(text.clone()),
+            None => backend.read(&self.paths[side]),
+        };
+        Ok(design::diff(&text(0)?, &text(1)?))
+    }
 }
 
 impl CompareView {
@@ -152,12 +174,39 @@ impl App {
             self.complain(format!("mark another design with {mark} first, then come back to this one"));
             return Vec::new();
         };
-        let names = [other.stem.clone(), selected.stem.clone()];
+        let names = [other, selected].map(|row| match self.editors.unsaved_text(&row.path) {
+            Some(_) => format!("{} (unsaved edits)", row.stem),
+            None => row.stem.clone(),
+        });
         let paths = [other.path.clone(), selected.path.clone()];
-        let ticket = self.ticket();
-        self.compare = Some(CompareView { ticket, names, result: None, scroll: Scroll::default(), columns: None });
+        let effects = self.compare_now(names, paths);
         self.open(Mode::Compare);
-        vec![Effect::Compare(CompareJob { ticket, paths })]
+        effects
+    }
+
+    fn compare_now(&mut self, names: [String; 2], paths: [PathBuf; 2]) -> Vec<Effect> {
+        let ticket = self.ticket();
+        let unsaved = paths.each_ref().map(|path| self.editors.unsaved_text(path));
+        let scroll = Scroll::default();
+        self.compare = Some(CompareView { ticket, names, paths: paths.clone(), result: None, scroll, columns: None });
+        vec![Effect::Compare(CompareJob { ticket, paths, unsaved })]
+    }
+
+    /// A becomes B, and B becomes A.
+    pub(super) fn swap_compared(&mut self) -> Vec<Effect> {
+        let Some(view) = &mut self.compare else { return Vec::new() };
+        view.names.swap(0, 1);
+        view.paths.swap(0, 1);
+        let Some(result) = &mut view.result else {
+            let (names, paths) = (view.names.clone(), view.paths.clone());
+            return self.compare_now(names, paths);
+        };
+        result.sides.swap(0, 1);
+        for difference in result.differences.iter_mut().flatten() {
+            std::mem::swap(&mut difference.a, &mut difference.b);
+        }
+        view.columns = None;
+        Vec::new()
     }
 
     pub(super) fn compared(&mut self, ticket: Ticket, result: Compared) {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use bevelscope::comparison::{Comparison, Observer, SolveError, compare_over};
-use bevelscope::design::Design;
 use bevelscope::design::library::{SHIPPED, VariantName};
+use bevelscope::design::{Design, Difference};
 use bevelscope::tui::files::{FileDone, FileRequest, Followed};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, NotSaved};
 
@@ -84,6 +84,10 @@ impl Backend for Shelf {
         let text = format!("# note: {}\n{text}", note.unwrap_or_default());
         texts.insert(path.clone(), text.clone());
         Ok((path, text))
+    }
+
+    fn differences(&self, a: &Path, b: &Path) -> Result<Vec<Difference>, String> {
+        Ok(bevelscope::design::diff(&self.read(a)?, &self.read(b)?))
     }
 
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {

@@ -93,6 +93,11 @@ impl Editors {
         }
     }
 
+    /// The text of a design with edits that are not saved.
+    pub(super) fn unsaved_text(&self, path: &Path) -> Option<String> {
+        self.get(path).filter(|editing| editing.is_modified()).map(|editing| editing.editor.text().to_owned())
+    }
+
     /// Those with edits that are not saved.
     pub fn unsaved(&self) -> impl Iterator<Item = &Editing> {
         self.all.iter().filter(|editing| editing.is_modified())
