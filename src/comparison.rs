@@ -201,6 +201,21 @@ mod tests {
     }
 
     #[test]
+    fn what_is_wrong_with_both_shafts_is_said_of_both() {
+        let mut design = read(SHIPPED[0].text).design.unwrap();
+        for bearing in &mut design.gear.bearings {
+            bearing.model = BearingModel::Matrix([[0.0; 6]; 6]);
+        }
+        let gear = compare(&design).unwrap_err().to_string();
+        assert!(gear.starts_with("gear shaft: nothing holds it"), "{gear}");
+        for bearing in &mut design.pinion.bearings {
+            bearing.model = BearingModel::Matrix([[0.0; 6]; 6]);
+        }
+        let both = compare(&design).unwrap_err().to_string();
+        assert!(both.starts_with("pinion shaft: nothing holds it") && both.ends_with(&format!("; {gear}")), "{both}");
+    }
+
+    #[test]
     fn progress_rises_to_one_and_a_break_ends_the_work() {
         let mut design = read(SHIPPED[0].text).design.unwrap();
         design.analysis.frequency_lines = 20_000;

@@ -66,7 +66,7 @@ impl Backend for MadeUp {
 
 /// Why the gear shaft of a design cannot be solved.
 pub fn not_solved(error: RotorError) -> SolveError {
-    SolveError::Rotors(RotorsError { side: Side::Gear, error })
+    SolveError::Rotors(RotorsError(vec![(Side::Gear, error)]))
 }
 
 /// The paths of a made-up library.
