@@ -48,7 +48,7 @@ fn started() -> (Worker, Receiver<String>, Receiver<Message>) {
 }
 
 fn job(ticket: u64, stems: [&str; 2]) -> CompareJob {
-    CompareJob { ticket: Ticket(ticket), paths: paths(&stems).try_into().unwrap() }
+    CompareJob { ticket: Ticket(ticket), paths: paths(&stems).try_into().unwrap(), unsaved: [None, None] }
 }
 
 #[test]

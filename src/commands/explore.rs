@@ -13,7 +13,7 @@ use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
 use crate::text::printable;
-use crate::tui::files::{FileDone, FileRequest};
+use crate::tui::files::{FileDone, FileRequest, Followed};
 use crate::tui::{self, Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 #[derive(Debug, clap::Args)]
@@ -73,7 +73,7 @@ impl Files {
         let mut paths = self.paths.lock().unwrap_or_else(PoisonError::into_inner);
         let place = |paths: &[PathBuf], path: &Path| paths.iter().position(|other| other == path);
         match done {
-            FileDone::Renamed { from, to } => {
+            FileDone::Renamed { from, to, .. } => {
                 if let Some(at) = place(&paths, from) {
                     paths[at].clone_from(to);
                 }
@@ -106,6 +106,13 @@ impl Files {
         let latest = folders.iter().filter_map(|folder| trashed(folder).into_iter().next());
         latest.max_by(|one, other| one.when.cmp(&other.when))
     }
+}
+
+/// Brings the variants of a design that was renamed after it.
+fn followed(path: &Path, name: &library::VariantName) -> Vec<Followed> {
+    let (folder, stem) = (path.parent().unwrap_or(Path::new("")), path.file_stem().unwrap_or_default());
+    let variants = library::follow_parent(folder, &stem.to_string_lossy(), name).into_iter();
+    variants.map(|(path, result)| Followed { path, result: result.map_err(|error| error.to_string()) }).collect()
 }
 
 /// The message without the library's folders: there is little room, and the header names them.
@@ -170,9 +177,11 @@ impl Backend for Files {
 
     fn change_file(&self, request: &FileRequest) -> Result<FileDone, String> {
         let done = match request {
-            FileRequest::Rename { path, name } => {
-                library::rename(path, name).map(|to| FileDone::Renamed { from: path.clone(), to })
-            }
+            FileRequest::Rename { path, name } => library::rename(path, name).map(|to| FileDone::Renamed {
+                from: path.clone(),
+                to,
+                variants: followed(path, name),
+            }),
             FileRequest::Duplicate { path, name } => {
                 library::duplicate(path, name).map(|to| FileDone::Duplicated { from: path.clone(), to })
             }
@@ -192,5 +201,26 @@ impl Backend for Files {
     fn differences(&self, a: &Path, b: &Path) -> Result<Vec<Difference>, String> {
         let text = |path| design::load(path).map(|loaded| loaded.text).map_err(|error| error.to_string());
         Ok(design::diff(&text(a)?, &text(b)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variants_follow_a_renamed_design_on_disk_and_in_what_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let text = library::SHIPPED[0].text;
+        fs::write(path("base.toml"), text).unwrap();
+        fs::write(path("child.toml"), format!("parent = \"base\"\n{text}")).unwrap();
+        let files = Files { paths: Mutex::new(vec![folder.path().into()]) };
+        let name = library::VariantName::new("mother").unwrap();
+        let done = files.change_file(&FileRequest::Rename { path: path("base.toml"), name }).unwrap();
+        let now = format!("parent = \"mother\"\n{text}");
+        let variants = vec![Followed { path: path("child.toml"), result: Ok(now.clone()) }];
+        assert_eq!(done, FileDone::Renamed { from: path("base.toml"), to: path("mother.toml"), variants });
+        assert_eq!(fs::read_to_string(path("child.toml")).unwrap(), now);
     }
 }

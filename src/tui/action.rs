@@ -100,6 +100,7 @@ actions! {
     ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
     Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
     Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
+    Swap, "swap", Designs, "swap A and B of the comparison", hint 3 "swap";
     Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
     Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";
     Delete, "delete", Designs, "move the design to the trash; asks first", hint 9 "delete";

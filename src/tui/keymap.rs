@@ -245,6 +245,7 @@ pub const BINDINGS: &[Binding] = &[
     letter(LIBRARY, 't', Action::ToggleTree),
     letter(PANES, 'm', Action::Mark),
     letter(PANES, 'c', Action::Compare),
+    letter(&[Mode::Compare], 'x', Action::Swap),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),

@@ -218,6 +218,7 @@ impl App {
                 self.follow_selection()
             }
             Action::Compare => self.open_compare(),
+            Action::Swap => self.swap_compared(),
             Action::Mark
             | Action::Rename
             | Action::Duplicate

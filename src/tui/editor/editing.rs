@@ -9,7 +9,7 @@ use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
 use super::view::{Place, Tab, View};
 use crate::design::grid::{Cell, Shown};
-use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, Side};
+use crate::design::{Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Side, Spelled};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
@@ -244,6 +244,18 @@ impl Editing {
         // what is under way would come for the other file
         self.solving.pending = None;
         self.saved(text);
+    }
+
+    /// Names another parent if it is this one that is named.
+    pub fn follow_parent(&mut self, from: &str, to: &str) {
+        let path = KeyPath::root().key("parent");
+        let named = Document::parse(self.editor.text()).ok().and_then(|document| {
+            let item = document.get(&path)?;
+            item.as_str().map(str::to_owned)
+        });
+        if named.as_deref() == Some(from) {
+            self.make(&Edit::Set { path, value: Spelled::text(to) });
+        }
     }
 
     /// The solution as it is now, if it is that of the saved state, is what later ones are compared with.

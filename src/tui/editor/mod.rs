@@ -21,6 +21,8 @@ mod view;
 
 use std::path::{Path, PathBuf};
 
+use super::files::Followed;
+
 pub use cursor::Cursor;
 pub use editing::{Editing, Layer, List, Notice, shown_text};
 pub use form::Form;
@@ -72,8 +74,35 @@ impl Editors {
         self.all.retain(|editing| editing.path != path);
     }
 
+    /// Whether a text is on its way to a file.
+    pub(super) fn is_saving(&self) -> bool {
+        self.all.iter().any(|editing| editing.is_saving)
+    }
+
+    /// After a renaming in their folder: those that name the old design as their parent name the new one, saved or not, and
+    /// for the files that have followed already that is the saved state.
+    pub(super) fn follow_parent(&mut self, from: &Path, to: &Path, followed: &[Followed]) {
+        for editing in self.all.iter_mut().filter(|editing| editing.path.parent() == from.parent()) {
+            editing.follow_parent(&file_stem(from), &file_stem(to));
+            let text = followed.iter().find(|one| one.path == editing.path).and_then(|one| one.result.as_ref().ok());
+            if let Some(text) = text {
+                editing.saved(text.clone());
+            }
+        }
+    }
+
+    /// The text of a design with edits that are not saved.
+    pub(super) fn unsaved_text(&self, path: &Path) -> Option<String> {
+        self.get(path).filter(|editing| editing.is_modified()).map(|editing| editing.editor.text().to_owned())
+    }
+
     /// Those with edits that are not saved.
     pub fn unsaved(&self) -> impl Iterator<Item = &Editing> {
         self.all.iter().filter(|editing| editing.is_modified())
     }
+}
+
+/// The file's name without `.toml`, as a variant names it.
+fn file_stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
