@@ -10,7 +10,7 @@ mod variant;
 
 pub use journal::{
     DISCARDED, Found, Journal, JournalError, Journals, discard as discard_journal, journals, recovery_folder,
-    set_aside as set_journal_aside,
+    remove as remove_journal, set_aside as set_journal_aside,
 };
 pub use left::{Left, LeftEdits, OnDisk, left_edits};
 pub use lock::{Holder, Locks, holder};

@@ -9,5 +9,5 @@ mod own;
 
 pub use folder::{DISCARDED, Found, discard, journals, recovery_folder, set_aside};
 pub use format::{Journal, JournalError};
-pub use own::Journals;
 pub(super) use own::settled;
+pub use own::{Journals, remove};

@@ -72,12 +72,7 @@ impl Journals {
     /// [`SaveError`] where the journal cannot be removed.
     pub fn forget(&mut self, design: &Path) -> Result<(), SaveError> {
         let Some((path, _lock)) = self.own.remove(design) else { return Ok(()) };
-        match fs::remove_file(&path) {
-            Err(source) if source.kind() != io::ErrorKind::NotFound => {
-                Err(SaveError::Io { path, doing: "cannot be removed", source })
-            }
-            _ => Ok(()),
-        }
+        remove(&path)
     }
 
     /// Nobody wants the unsaved edits: they are moved to [those](super::DISCARDED) that nobody wanted.
@@ -88,6 +83,20 @@ impl Journals {
     pub fn discard(&mut self, design: &Path) -> Result<(), SaveError> {
         let Some((path, _lock)) = self.own.remove(design) else { return Ok(()) };
         discard(&path)
+    }
+}
+
+/// Removes a journal whose edits are kept elsewhere, or in the file by now.
+///
+/// # Errors
+///
+/// [`SaveError`] where it cannot be removed.
+pub fn remove(journal: &Path) -> Result<(), SaveError> {
+    match fs::remove_file(journal) {
+        Err(source) if source.kind() != io::ErrorKind::NotFound => {
+            Err(SaveError::Io { path: journal.into(), doing: "cannot be removed", source })
+        }
+        _ => Ok(()),
     }
 }
 
