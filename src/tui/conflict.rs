@@ -117,6 +117,10 @@ impl App {
             (row.unsaved, row.stale) = (false, true);
         }
         let mut effects = self.after_edit();
+        // another file is in its place, to be locked
+        if self.editors.open().is_some_and(|open| open.path == path) {
+            effects.extend(self.look(path));
+        }
         effects.extend(self.leave_if_saved());
         effects
     }

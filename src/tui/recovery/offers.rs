@@ -86,7 +86,7 @@ impl App {
         if !left.damaged.is_empty() {
             let count = left.damaged.len();
             let journals = if count == 1 { "a recovery journal" } else { "recovery journals" };
-            self.complain_at_length(format!("{journals} cannot be used: ! says why"), left.damaged.join("\n"));
+            self.complain_at_length(format!("{journals} cannot be used: :messages says why"), left.damaged.join("\n"));
         } else if elsewhere > 0 {
             let designs = if elsewhere == 1 { "a design" } else { "designs" };
             let paths: Vec<String> =
@@ -97,7 +97,7 @@ impl App {
             );
             self.say_at_length(
                 format!(
-                    "unsaved edits of {elsewhere} {designs} elsewhere: ! says of which",
+                    "unsaved edits of {elsewhere} {designs} elsewhere: :messages says of which",
                     designs = if elsewhere == 1 { "design" } else { "designs" }
                 ),
                 full,
@@ -192,8 +192,10 @@ impl App {
 
     /// The tables of the file as it is now, or of what the edits began with where it cannot be shown in tables.
     fn take_editing(&mut self, path: &PathBuf, base: &str, on_disk: &OnDisk) -> Result<Editing, String> {
+        let is_as_now = |editing: &Editing| matches!(on_disk, OnDisk::Text(text) if text == editing.saved_text());
         let there = self.editors.take(path);
-        if let Some(editing) = there.filter(|editing| editing.is_modified() || editing.is_saving) {
+        if let Some(editing) = there.filter(|editing| is_as_now(editing) || editing.is_modified() || editing.is_saving)
+        {
             return Ok(editing);
         }
         let new = |text: &str| Editing::new(path.clone(), text.to_owned()).map_err(|error| error.to_string());

@@ -51,7 +51,7 @@ impl App {
     }
 
     /// Asks what has become of the file, unless the answer is on its way.
-    fn look(&mut self, path: PathBuf) -> Option<Effect> {
+    pub(in crate::tui) fn look(&mut self, path: PathBuf) -> Option<Effect> {
         let editing = self.editors.get_mut(&path)?;
         if editing.is_saving || std::mem::replace(&mut editing.is_looking, true) {
             return None;
@@ -70,7 +70,7 @@ impl App {
                     format!("{holder} has this design open as well: what is saved last would win, so saving asks");
                 editing.warn(text);
             }
-            (Some(holder), None) => editing.say(format!("{holder} no longer has this design open")),
+            (Some(holder), None) => editing.say(format!("the design is held here now, no longer by {holder}")),
             _ => {}
         }
         if before.state != editing.look.state {
