@@ -25,6 +25,7 @@ pub mod compare;
 pub mod conflict;
 pub mod editor;
 pub mod effects;
+pub mod file_jobs;
 pub mod files;
 pub mod fuzzy;
 pub mod help;

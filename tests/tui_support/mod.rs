@@ -399,11 +399,9 @@ impl Screen {
                     self.perform_edited(job);
                 }
             }
-            if let Some(job) = file {
-                if let Some(message) = worker::perform_file(job, &*self.backend) {
-                    let effects = self.app.update(message);
-                    self.carry_out(effects);
-                }
+            if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
+                let effects = self.app.update(message);
+                self.carry_out(effects);
             }
         }
     }

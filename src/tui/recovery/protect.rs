@@ -60,7 +60,7 @@ impl App {
         Some(Effect::File(FileJob::Look { path, expected }))
     }
 
-    pub(in crate::tui) fn looked(&mut self, path: &Path, look: Look) {
+    pub(super) fn looked(&mut self, path: &Path, look: Look) {
         let Some(editing) = self.editors.get_mut(path) else { return };
         editing.is_looking = false;
         let before = std::mem::replace(&mut editing.look, look);
@@ -83,13 +83,13 @@ impl App {
     }
 
     /// The edits that are not saved are not wanted.
-    pub(in crate::tui) fn discard_all(&mut self) -> Vec<Effect> {
+    pub(super) fn discard_all(&mut self) -> Vec<Effect> {
         self.recovery.is_over = true;
         let kept = std::mem::take(&mut self.recovery.kept);
         kept.into_keys().map(|path| Effect::Keep(Kept::Discarded { path })).collect()
     }
 
-    pub(in crate::tui) fn protected(&mut self, result: Result<(), String>) {
+    pub(super) fn protected(&mut self, result: Result<(), String>) {
         let before = self.recovery.unprotected.take();
         match result {
             Ok(()) if before.is_some() => self.say("unsaved edits are protected again"),
