@@ -345,10 +345,15 @@ impl Backend for Keeps {
 fn child_panics() {
     let Ok(folder) = std::env::var(CHILD) else { return };
     let folder = PathBuf::from(folder);
-    let backend = Keeps(Mutex::new(Journals::new(folder.join("recovery"))));
-    let worker = Worker::start(Arc::new(backend), &std::sync::mpsc::channel().0).unwrap();
-    worker.keep(Kept::Edits { path: folder.join("a.toml"), base: "old".into(), text: "mine".into() });
-    panic!("on purpose");
+    let panics = move || {
+        let backend = Keeps(Mutex::new(Journals::new(folder.join("recovery"))));
+        let worker = Worker::start(Arc::new(backend), &std::sync::mpsc::channel().0).unwrap();
+        worker.keep(Kept::Edits { path: folder.join("a.toml"), base: "old".into(), text: "mine".into() });
+        panic!("on purpose");
+    };
+    let _ = std::panic::catch_unwind(panics);
+    // at once: nothing else is waited for
+    std::process::exit(1);
 }
 
 #[test]

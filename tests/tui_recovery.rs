@@ -134,13 +134,15 @@ fn what_is_kept_is_asked_for_before_the_program_ends() {
 }
 
 /// Keys over the offer; what the file holds then; what the tables hold, if they are open; what was asked to be kept.
+type OfferScript<'a> = (fn() -> Shelf, &'a str, Option<&'a str>, Option<&'a str>, Vec<Kept>);
+
 #[test]
 fn an_offer_is_taken_put_aside_or_left_for_later() {
     let journal = PathBuf::from("/state/overhung-elastic.journal");
     let taken = || Kept::Taken { path: path(FIRST), journal: journal.clone() };
     let mine = with_length("35");
     let theirs = with_length("40.0");
-    let scripts: &[(fn() -> Shelf, &str, Option<&str>, Option<&str>, Vec<Kept>)] = &[
+    let scripts: &[OfferScript] = &[
         (left_unchanged, "<Esc>", Some(base()), None, vec![]),
         (left_unchanged, "d", Some(base()), None, vec![Kept::Unwanted { journal: journal.clone() }]),
         (left_unchanged, "t", Some(base()), Some(&mine), vec![edits(base(), &mine), taken()]),
@@ -267,13 +269,15 @@ fn conflicting(theirs: Option<&str>) -> (Screen, Shelf) {
     (screen, shelf)
 }
 
-/// Keys over the question; what the file and the tables hold then, and whether that is unsaved.
+/// What the file holds; keys over the question; what the file and the tables hold then, and whether that is unsaved.
+type ConflictScript<'a> = (Option<&'a str>, &'a str, Option<&'a str>, &'a str, bool);
+
 #[test]
 fn a_conflict_is_decided_by_the_user() {
     let mine = with_length("35");
     let theirs = with_length("40.0");
     let broken = "no = toml = here";
-    let scripts: &[(Option<&str>, &str, Option<&str>, &str, bool)] = &[
+    let scripts: &[ConflictScript] = &[
         (Some(&theirs), "<Esc>", Some(&theirs), &mine, true),
         (Some(&theirs), "m", Some(&mine), &mine, false),
         (Some(&theirs), "t", Some(&theirs), &theirs, false),
@@ -471,7 +475,9 @@ fn the_end_waits_for_what_is_still_to_be_written() {
     let all: Vec<Kept> = (0..50)
         .map(|number| Kept::Edits { path: format!("/{number}").into(), base: String::new(), text: String::new() })
         .collect();
-    all.iter().for_each(|change| keeper.keep(change.clone()));
+    for change in &all {
+        keeper.keep(change.clone());
+    }
     drop(keeper);
     assert_eq!(*backend.kept.lock().unwrap(), all);
 }
