@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::backend::LoadedDesign;
 use super::caps::Capabilities;
 use super::compare::CompareView;
+use super::conflict::Conflicts;
 use super::editor::Editors;
 use super::files::Form;
 use super::help::HelpSearch;
@@ -15,9 +16,10 @@ use super::library::{Library, RowState};
 use super::message::Effect;
 use super::notice::{Messages, Notice};
 use super::palette::Palette;
+use super::recovery::Recovery;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
-use super::worker::{Job, Summary, Ticket};
+use super::worker::{FileJob, Job, Summary, Ticket};
 use crate::design::library::Trashed;
 
 #[derive(Debug)]
@@ -44,6 +46,8 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    pub recovery: Recovery,
+    pub conflicts: Conflicts,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
 }
@@ -161,6 +165,8 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            recovery: Recovery::default(),
+            conflicts: Conflicts::default(),
             tickets: Ticket::default(),
             view_moved: false,
         }
@@ -169,6 +175,7 @@ impl App {
     /// What to do after the first frame.
     pub fn start(&mut self) -> Vec<Effect> {
         let mut effects = self.follow_selection();
+        effects.push(Effect::File(FileJob::Left));
         effects.extend(self.fill());
         self.view_moved = false;
         effects

@@ -20,6 +20,14 @@ use super::worker::{Solved, Ticket};
 impl App {
     /// Takes in one message.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
+        let mut effects = self.take_in(message);
+        let protection = self.protect();
+        // before the program ends
+        effects.splice(0..0, protection);
+        effects
+    }
+
+    fn take_in(&mut self, message: Message) -> Vec<Effect> {
         match message {
             Message::Key(event) => self.key(event),
             Message::Paste(text) => self.paste(&text),
@@ -69,6 +77,10 @@ impl App {
             }
             Message::Saved { path, text, result } => self.saved(&path, text, result),
             Message::VariantSaved { original, result } => self.variant_saved(&original, result),
+            message @ (Message::Looked { .. } | Message::Left(_) | Message::Protected(_) | Message::NotTidied(_)) => {
+                self.hear_of_recovery(message);
+                Vec::new()
+            }
             Message::Listed(Ok(paths)) => {
                 self.notice.take_if(|notice| notice.kind == NoticeKind::NotListed);
                 self.library.replace(paths);
@@ -250,7 +262,14 @@ impl App {
             Action::Quit => self.quit(),
             Action::OpenEditor => self.open_editor(),
             Action::SaveAll => self.save_all(),
-            Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
+            Action::DiscardAll
+            | Action::Recover
+            | Action::TakeEdits
+            | Action::DiscardEdits
+            | Action::NextOffer
+            | Action::KeepMine
+            | Action::TakeTheirs
+            | Action::SaveVariant => self.answer(action),
             // the rest is about what is typed, or the editor's
             _ => TextField::edit_of(action).map_or(Vec::new(), |edit| self.edit(edit)),
         }
@@ -277,6 +296,8 @@ impl App {
             Mode::Help | Mode::HelpSearch => self.help_scroll.page(),
             Mode::Palette => self.palette.height.saturating_sub(1).max(1).cast_signed(),
             Mode::Messages => self.messages.scroll.page(),
+            Mode::Recovery => self.recovery.offers.scroll.page(),
+            Mode::Conflict => self.conflicts.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
             _ => 0,
         }
@@ -292,6 +313,8 @@ impl App {
             Mode::Help | Mode::HelpSearch => self.help_scroll.by(by),
             Mode::Palette => self.move_in_palette(by),
             Mode::Messages => self.messages.scroll.by(by),
+            Mode::Recovery => self.recovery.offers.scroll.by(by),
+            Mode::Conflict => self.conflicts.scroll.by(by),
             Mode::Compare => {
                 if let Some(view) = &mut self.compare {
                     view.scroll.by(by);
@@ -328,6 +351,11 @@ impl App {
                 return vec![Effect::CancelCompare];
             }
             Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
+            Mode::Recovery => {
+                self.close();
+                self.say("kept for later: :recover shows them again");
+            }
+            Mode::Conflict => self.cancel_conflicts(),
             Mode::Leave => self.stay(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {

@@ -283,6 +283,9 @@ impl Screen {
                 _ => Vec::new(),
             };
             let edited = if let Effect::SolveEdited(job) = &effect { Some(job.clone()) } else { None };
+            if let Effect::Keep(change) = &effect {
+                self.backend.keep(change).unwrap();
+            }
             let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
@@ -298,8 +301,7 @@ impl Screen {
                     self.perform_edited(job);
                 }
             }
-            if let Some(job) = file {
-                let message = worker::perform_file(job, &*self.backend);
+            if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
                 let effects = self.app.update(message);
                 self.carry_out(effects);
             }

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use bevelscope::comparison::{Comparison, Observer, SolveError, compare_over};
-use bevelscope::design::library::{SHIPPED, VariantName};
+use bevelscope::design::library::{Left, SHIPPED, VariantName};
 use bevelscope::design::{Design, Difference};
 use bevelscope::tui::files::{FileDone, FileRequest, Followed};
+use bevelscope::tui::recovery::{FileState, Kept, Look};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 use super::paths;
@@ -16,12 +17,18 @@ use super::paths;
 #[derive(Debug, Default, Clone)]
 pub struct Shelf {
     pub texts: Arc<Mutex<BTreeMap<PathBuf, String>>>,
+    /// What was asked to be kept, in order.
+    pub kept: Arc<Mutex<Vec<Kept>>>,
+    /// What an earlier run has left.
+    pub left: Arc<Mutex<Left>>,
+    /// Who else has the designs open.
+    pub holder: Arc<Mutex<Option<String>>>,
 }
 
 impl Shelf {
     pub fn new(files: &[(&str, &str)]) -> Self {
         let texts = files.iter().map(|(stem, text)| (paths(&[stem])[0].clone(), (*text).to_owned())).collect();
-        Self { texts: Arc::new(Mutex::new(texts)) }
+        Self { texts: Arc::new(Mutex::new(texts)), ..Self::default() }
     }
 
     /// The designs that come with the program.
@@ -60,13 +67,32 @@ impl Backend for Shelf {
         self.texts.lock().unwrap().get(path).cloned().ok_or_else(|| "there is no such file".into())
     }
 
-    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
+    fn save(&self, path: &Path, expected: Option<&[u8]>, text: &str) -> Result<(), NotSaved> {
         let mut texts = self.texts.lock().unwrap();
-        match texts.get_mut(path) {
-            Some(saved) if saved == expected => text.clone_into(saved),
-            _ => return Err(NotSaved::Changed),
+        let now = texts.get(path).map(String::as_bytes);
+        if now != expected {
+            return Err(NotSaved::Changed(now.map(<[u8]>::to_vec)));
         }
+        texts.insert(path.into(), text.to_owned());
         Ok(())
+    }
+
+    fn keep(&self, change: &Kept) -> Result<(), String> {
+        self.kept.lock().unwrap().push(change.clone());
+        Ok(())
+    }
+
+    fn left(&self) -> Left {
+        self.left.lock().unwrap().clone()
+    }
+
+    fn look(&self, path: &Path, expected: &str) -> Look {
+        let state = match self.texts.lock().unwrap().get(path) {
+            Some(text) if text == expected => FileState::Same,
+            Some(_) => FileState::Changed,
+            None => FileState::Gone,
+        };
+        Look { state, holder: self.holder.lock().unwrap().clone() }
     }
 
     fn save_variant(

@@ -13,6 +13,7 @@ use crate::design::{Applied, Design, Document, Edit, EditError, EditName, Editor
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
+use crate::tui::recovery::Look;
 
 /// A design with its edits, kept while the program runs.
 #[derive(Debug)]
@@ -34,6 +35,9 @@ pub struct Editing {
     pub notice: Option<Notice>,
     /// A text is on its way to the file.
     pub is_saving: bool,
+    /// What became of the file outside the program, as far as is known.
+    pub look: Look,
+    pub(in crate::tui) is_looking: bool,
 }
 
 /// What lies over the table and takes the keys.
@@ -83,6 +87,8 @@ impl Editing {
             solving: Solving::default(),
             notice: None,
             is_saving: false,
+            look: Look::default(),
+            is_looking: false,
         };
         editing.take_in_text();
         editing.saved_design = editing.design.clone();
@@ -170,7 +176,7 @@ impl Editing {
     }
 
     /// Makes an edit. Where the cursor goes is left to the caller.
-    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
+    pub(in crate::tui) fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
         let applied = self.editor.apply(edit)?;
         if applied.changed {
             self.take_in_text();
@@ -240,6 +246,8 @@ impl Editing {
             self.take_in_text();
         }
         self.path = path;
+        self.look = Look::default();
+        self.is_looking = false;
         self.layer = None;
         // what is under way would come for the other file
         self.solving.pending = None;

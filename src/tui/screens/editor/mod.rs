@@ -20,11 +20,9 @@ mod spectra;
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
-use ratatui::style::Style;
-use unicode_width::UnicodeWidthStr;
 
 use crate::design::{Side, Totals};
-use crate::text::{cut, printable};
+use crate::text::printable;
 use crate::tui::action::Action;
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Layer, Tab, Target};
@@ -33,7 +31,9 @@ use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::side_view::{self, Element};
-use crate::tui::widgets::{cell_input, choice, figures, findings, footer, matrix, table, tabs, variant_form};
+use crate::tui::widgets::{
+    cell_input, choice, editor_header, figures, findings, footer, matrix, table, tabs, variant_form,
+};
 
 /// The lowest pane that shows a spectrum.
 const LOWER: u16 = 9;
@@ -51,7 +51,7 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let (theme, live) = (app.theme, app.editors.live);
     let keys = app.keys.names(Mode::Table, theme.glyphs.ascii);
     if let Some(editing) = app.editors.open_mut() {
-        render_header(editing, live, &keys, &theme, row(0, 1), buffer);
+        editor_header::render(editing, live, &keys, &theme, row(0, 1), buffer);
         tabs::render(editing.tab, &keys, &theme, row(1, 1), buffer);
         cursor = render_body(editing, live, &keys, &theme, body, buffer);
         spectra::render_figures(editing, &theme, row(last - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
@@ -59,38 +59,6 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     }
     footer::render(app, row(last, 1), buffer);
     cursor
-}
-
-/// The design, its findings, whether edits are solved, and what would be undone.
-fn render_header(editing: &Editing, live: bool, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    const PROGRAM: &str = " bevelscope  ";
-    let (width, ellipsis) = (usize::from(area.width), theme.glyphs.ellipsis);
-    let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
-    let star = if editing.is_modified() { " *" } else { "" };
-    let count = editing.findings().len();
-    let list = keys.of(Action::Findings);
-    let found = match count {
-        0 => String::new(),
-        1 => format!("1 finding ({list})"),
-        _ => format!("{count} findings ({list})"),
-    };
-    let undo =
-        editing.editor.undo_name().map(|name| format!("{}: {}", keys.of(Action::Undo), printable(name.as_str())));
-    let undo = undo.unwrap_or_default();
-    let left = width.saturating_sub(PROGRAM.width());
-    let name = cut(&printable(&stem), (left / 2).min(30), ellipsis) + star;
-    let mut x = buffer.set_stringn(area.x, area.y, PROGRAM, width, theme.key).0;
-    let mut put = |text: &str, style: Style| {
-        if !text.is_empty() {
-            let room = usize::from(area.right().saturating_sub(x));
-            let text = cut(text, room.saturating_sub(1), ellipsis);
-            x = (buffer.set_stringn(x, area.y, text, room, style).0 + 3).min(area.right());
-        }
-    };
-    put(&name, theme.title);
-    put(&found, theme.warning);
-    put(if live { "live" } else { "live off" }, if live { theme.faint } else { theme.warning });
-    put(&undo, theme.faint);
 }
 
 /// The table, with what lies over it, and the two panes below. Returns where the cursor stands.
