@@ -3,6 +3,7 @@
 mod check;
 mod compare;
 mod explore;
+mod guard;
 mod input;
 mod inspect;
 mod keys;

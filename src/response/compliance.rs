@@ -4,9 +4,11 @@
 //! F_m = - k_m* e / (1 + alpha k_m*). In the real modes of each rotor alpha is a sum of one term a mode, whatever the damping ratios,
 //! the mesh stiffness or e.
 
+use std::ops::ControlFlow;
+
 use num_complex::Complex64;
 
-use super::{ResponseError, rotor_modes};
+use super::{ResponseError, WorkDone, rotor_modes_over};
 use crate::design::Side;
 use crate::model::Model;
 
@@ -29,11 +31,20 @@ impl Compliance {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`].
+    /// As [`super::rotor_modes`].
     pub fn new(model: &Model) -> Result<Self, ResponseError> {
+        Self::over(model, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// As [`Compliance::new`]; `done` hears of the work, [`super::modes_work`] of both rotors in all.
+    ///
+    /// # Errors
+    ///
+    /// As [`rotor_modes_over`].
+    pub fn over(model: &Model, done: &mut WorkDone<'_>) -> Result<Self, ResponseError> {
         let mut terms = Vec::with_capacity(model.coordinates());
         for (side, rotor) in Side::BOTH.into_iter().zip(model.rotors()) {
-            let modes = rotor_modes(rotor, side)?;
+            let modes = rotor_modes_over(rotor, side, done)?;
             let participation = modes.participation(&rotor.mesh_vector);
             for ((g, &stiffness), &mass) in participation.iter().zip(&modes.stiffness).zip(&modes.mass) {
                 if *g != 0.0 {

@@ -6,10 +6,11 @@ mod eigen;
 mod modes;
 mod secular;
 mod spectrum;
+mod tridiagonal;
 
 pub use compliance::Compliance;
 pub use direct::direct_spectrum;
-pub use eigen::{RotorModes, rotor_modes};
+pub use eigen::{RotorModes, WorkDone, modes_work, rotor_modes, rotor_modes_over};
 pub use modes::{EnergyShare, Mode, Modes};
 pub use spectrum::{Spectrum, frequency_lines};
 
@@ -26,4 +27,6 @@ pub enum ResponseError {
     ModesNotFinite,
     #[error("the {what} is too large or too small to compute with at {at_hz:?} Hz")]
     LineNotFinite { what: &'static str, at_hz: f64 },
+    #[error("cancelled")]
+    Cancelled,
 }

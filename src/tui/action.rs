@@ -100,6 +100,7 @@ actions! {
     ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
     Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
     Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
+    Swap, "swap", Designs, "swap A and B of the comparison", hint 3 "swap";
     Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
     Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";
     Delete, "delete", Designs, "move the design to the trash; asks first", hint 9 "delete";
@@ -114,7 +115,7 @@ actions! {
     ClearText, "clear-text", Typing, "delete all letters before the cursor", hint 2 "clear";
     Accept, "accept", Program, "do what is asked or chosen", hint 0 "accept";
     OpenEditor, "edit-design", Edit, "open the tables of the design", hint 1 "edit";
-    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; - + . 0 9 begin a number", hint 0 "edit";
+    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; a free digit, - + . begin a number", hint 0 "edit";
     ReplaceCell, "replace-cell", Edit, "type in place of the value";
     CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
     ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";
@@ -138,6 +139,12 @@ actions! {
     NextField, "next-field", Typing, "name or note", hint 1 "name/note";
     SaveAll, "save-all", Edit, "save all designs and quit", hint 0 "save all";
     DiscardAll, "discard-all", Edit, "quit without the edits that are not saved", hint 1 "discard";
+    Recover, "recover", Edit, "unsaved edits that an earlier run has left";
+    TakeEdits, "take-edits", Edit, "open the tables with the edits of the earlier run; can be undone", hint 0 "take";
+    DiscardEdits, "discard-edits", Edit, "put the edits of the earlier run aside", hint 1 "discard";
+    NextOffer, "next-offer", Edit, "the next design with edits of an earlier run", hint 3 "next";
+    KeepMine, "keep-mine", Edit, "write over what somebody else has saved, as it is shown", hint 0 "keep mine";
+    TakeTheirs, "take-theirs", Edit, "take what somebody else has saved; undo brings the edits back", hint 1 "take theirs";
     Findings, "findings", Find, "what is wrong or unusual in the design", hint 4 "findings";
     GoToFinding, "go-to-finding", Find, "to the cell that the finding is about", hint 0 "go there";
     Solve, "solve", Solve, "solve the design as it is now", hint 2 "solve";

@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::backend::LoadedDesign;
 use super::caps::Capabilities;
 use super::compare::CompareView;
+use super::conflict::Conflicts;
 use super::editor::Editors;
 use super::files::Form;
 use super::help::HelpSearch;
@@ -14,9 +16,10 @@ use super::library::{Library, RowState};
 use super::message::Effect;
 use super::notice::{Messages, Notice};
 use super::palette::Palette;
+use super::recovery::Recovery;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
-use super::worker::{Job, Summary, Ticket};
+use super::worker::{FileJob, Job, Summary, Ticket};
 use crate::design::library::Trashed;
 
 #[derive(Debug)]
@@ -43,6 +46,8 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    pub recovery: Recovery,
+    pub conflicts: Conflicts,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
 }
@@ -55,6 +60,8 @@ pub struct Detail {
     pub ticket: Ticket,
     /// Whether its result is still to come.
     pub pending: bool,
+    /// What was read for that result.
+    pub(super) loaded: Option<Arc<LoadedDesign>>,
     pub outcome: Option<Outcome>,
     pub text_scroll: Scroll,
 }
@@ -62,14 +69,13 @@ pub struct Detail {
 #[derive(Debug)]
 pub enum Outcome {
     Solved {
+        /// What was solved; the library may have read the file again since.
+        loaded: Arc<LoadedDesign>,
         summary: Box<Summary>,
         picture: Box<Picture>,
     },
     /// Neither read nor solved; the whole message.
-    Failed {
-        title: &'static str,
-        text: String,
-    },
+    Failed { title: &'static str, text: String },
 }
 
 /// Spectra, and their columns at the width that was drawn last.
@@ -159,6 +165,8 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            recovery: Recovery::default(),
+            conflicts: Conflicts::default(),
             tickets: Ticket::default(),
             view_moved: false,
         }
@@ -167,6 +175,7 @@ impl App {
     /// What to do after the first frame.
     pub fn start(&mut self) -> Vec<Effect> {
         let mut effects = self.follow_selection();
+        effects.push(Effect::File(FileJob::Left));
         effects.extend(self.fill());
         self.view_moved = false;
         effects
@@ -198,8 +207,12 @@ impl App {
         self.tickets
     }
 
-    /// Asks for the selected design if it is another one than before.
+    /// Asks for the selected design if it is another one than before. Not while tables are open: what they ask for has the
+    /// same place.
     pub(super) fn follow_selection(&mut self) -> Vec<Effect> {
+        if self.editors.open().is_some() {
+            return Vec::new();
+        }
         let path = self.library.selected().map(|row| row.path.clone());
         if path == self.detail.path {
             return Vec::new();

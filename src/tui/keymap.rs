@@ -40,10 +40,14 @@ pub enum Mode {
     Form,
     /// What to do with edits that are not saved.
     Leave,
+    /// What to do with edits of an earlier run.
+    Recovery,
+    /// What to do where somebody else has changed the file.
+    Conflict,
 }
 
 impl Mode {
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -61,6 +65,8 @@ impl Mode {
         Self::Findings,
         Self::Form,
         Self::Leave,
+        Self::Recovery,
+        Self::Conflict,
     ];
 
     /// Its table in the file of keys.
@@ -83,6 +89,8 @@ impl Mode {
             Self::Findings => "findings",
             Self::Form => "form",
             Self::Leave => "leave",
+            Self::Recovery => "recovery",
+            Self::Conflict => "conflict",
         }
     }
 
@@ -101,8 +109,17 @@ pub struct Binding {
     pub action: Action,
 }
 
-const LISTS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Messages, Mode::Compare, Mode::Choice, Mode::Findings];
+const LISTS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Recovery,
+    Mode::Conflict,
+];
 /// Where letters move.
 const ROWS: &[Mode] = &[
     Mode::Library,
@@ -114,6 +131,8 @@ const ROWS: &[Mode] = &[
     Mode::Findings,
     Mode::Table,
     Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
 ];
 /// Where there is something to move in.
 const MOVING: &[Mode] = &[
@@ -129,6 +148,8 @@ const MOVING: &[Mode] = &[
     Mode::Findings,
     Mode::Table,
     Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
 ];
 const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 const LIBRARY: &[Mode] = &[Mode::Library];
@@ -136,15 +157,12 @@ const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
 const TABLE: &[Mode] = &[Mode::Table];
 const CELL: &[Mode] = &[Mode::Cell];
 const FORM: &[Mode] = &[Mode::Form];
-const LINES: &[Mode] = &[Mode::Cell, Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
 const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
-/// Where the cursor can stand within the text.
-const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// What lies over the explorer and is closed.
 const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
 const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
@@ -153,9 +171,10 @@ const COMMANDS: &[Mode] =
     &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
-
-/// Actions that have no key of their own, and where they can be used all the same.
-const WITHOUT_KEY: &[(Action, &[Mode])] = &[];
+const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
+const RECOVERY: &[Mode] = &[Mode::Recovery];
+const CONFLICT: &[Mode] = &[Mode::Conflict];
+const VARIANTS: &[Mode] = &[Mode::Table, Mode::Recovery, Mode::Conflict];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -220,13 +239,13 @@ pub const BINDINGS: &[Binding] = &[
     letter(CELLS, 'u', Action::Undo),
     control(CELLS, 'r', Action::Redo),
     letter(TABLE, 's', Action::Save),
-    letter(TABLE, 'S', Action::SaveVariant),
+    letter(VARIANTS, 'S', Action::SaveVariant),
     key(CELL, KeyCode::Enter, Action::AcceptCell),
     key(CELL, KeyCode::Tab, Action::AcceptNext),
     key(CELL, KeyCode::BackTab, Action::AcceptPrevious),
     key(&[Mode::Choice], KeyCode::Enter, Action::Choose),
     letter(&[Mode::Choice], ' ', Action::Tick),
-    control(LINES, 'w', Action::DeleteWord),
+    control(TYPING, 'w', Action::DeleteWord),
     key(FORM, KeyCode::Enter, Action::SaveForm),
     key(FORM, KeyCode::Tab, Action::NextField),
     key(FORM, KeyCode::BackTab, Action::NextField),
@@ -234,6 +253,13 @@ pub const BINDINGS: &[Binding] = &[
     key(FORM, KeyCode::Down, Action::NextField),
     letter(&[Mode::Leave], 's', Action::SaveAll),
     letter(&[Mode::Leave], 'd', Action::DiscardAll),
+    letter(OPENED, 'U', Action::Recover),
+    letter(RECOVERY, 't', Action::TakeEdits),
+    letter(RECOVERY, 'd', Action::DiscardEdits),
+    letter(RECOVERY, 'n', Action::NextOffer),
+    key(RECOVERY, KeyCode::Tab, Action::NextOffer),
+    letter(CONFLICT, 'm', Action::KeepMine),
+    letter(CONFLICT, 't', Action::TakeTheirs),
     letter(TABLE, 'f', Action::Findings),
     letter(&[Mode::Findings], 'f', Action::Back),
     key(&[Mode::Findings], KeyCode::Enter, Action::GoToFinding),
@@ -251,20 +277,21 @@ pub const BINDINGS: &[Binding] = &[
     letter(LIBRARY, 't', Action::ToggleTree),
     letter(PANES, 'm', Action::Mark),
     letter(PANES, 'c', Action::Compare),
+    letter(&[Mode::Compare], 'x', Action::Swap),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),
     letter(PANES, 'u', Action::RestoreDeleted),
     key(FILTERING, KeyCode::Enter, Action::KeepFilter),
-    key(FIELDS, KeyCode::Left, Action::TextLeft),
-    key(FIELDS, KeyCode::Right, Action::TextRight),
-    key(FIELDS, KeyCode::Home, Action::TextStart),
-    control(FIELDS, 'a', Action::TextStart),
-    key(FIELDS, KeyCode::End, Action::TextEnd),
-    control(FIELDS, 'e', Action::TextEnd),
+    key(TYPING, KeyCode::Left, Action::TextLeft),
+    key(TYPING, KeyCode::Right, Action::TextRight),
+    key(TYPING, KeyCode::Home, Action::TextStart),
+    control(TYPING, 'a', Action::TextStart),
+    key(TYPING, KeyCode::End, Action::TextEnd),
+    control(TYPING, 'e', Action::TextEnd),
     key(TYPING, KeyCode::Backspace, Action::DeleteCharacter),
     control(TYPING, 'h', Action::DeleteCharacter),
-    key(FIELDS, KeyCode::Delete, Action::DeleteForward),
+    key(TYPING, KeyCode::Delete, Action::DeleteForward),
     control(TYPING, 'u', Action::ClearText),
     key(ANSWERED, KeyCode::Enter, Action::Accept),
     letter(CONFIRM, 'y', Action::Accept),
@@ -287,9 +314,7 @@ pub const BINDINGS: &[Binding] = &[
 
 /// Whether an action can be used in a mode.
 pub fn is_known(mode: Mode, action: Action) -> bool {
-    let here = |modes: &[Mode], other: Action| other == action && modes.contains(&mode);
-    BINDINGS.iter().any(|binding| here(binding.modes, binding.action))
-        || WITHOUT_KEY.iter().any(|(action, modes)| here(modes, *action))
+    BINDINGS.iter().any(|binding| binding.action == action && binding.modes.contains(&mode))
 }
 
 #[cfg(test)]
@@ -308,11 +333,6 @@ mod tests {
             assert!(!["none", "all"].contains(&about.name), "{about:?}");
             let modes: Vec<Mode> = Mode::ALL.into_iter().filter(|mode| is_known(*mode, about.action)).collect();
             assert!(!modes.is_empty(), "{} can be used nowhere", about.name);
-            // what has no key is in the palette, which must be there
-            for mode in modes {
-                let has_key = !Keys::default().of(mode, about.action, false).is_empty();
-                assert!(has_key || is_known(mode, Action::Palette), "no way to {} in {mode:?}", about.name);
-            }
         }
     }
 

@@ -1,7 +1,8 @@
 //! What lies over what: the mode that listens to the keys, and those below it.
 
 use super::action::Action;
-use super::app::{App, Outcome};
+use super::app::App;
+use super::conflict::Conflict;
 use super::editor::{Editing, Layer};
 use super::keymap::Mode;
 use super::message::Effect;
@@ -53,17 +54,18 @@ impl App {
                 selected.is_some()
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
-            Action::Quit if self.mode == Mode::Leave || self.mode.is_typing() => false,
+            Action::NextOffer => self.recovery.offers.all.len() > 1,
+            Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),
+            Action::Quit
+                if matches!(self.mode, Mode::Leave | Mode::Recovery | Mode::Conflict) || self.mode.is_typing() =>
+            {
+                false
+            }
             // everyone knows, and there is much to say
             Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,
             _ if !self.below.is_empty() => true,
             _ => self.editors.open().is_none_or(|editing| applies_in_editor(editing, action)),
         }
-    }
-
-    /// Whether the present outcome is a solution.
-    pub fn is_solved(&self) -> bool {
-        matches!(self.detail.outcome, Some(Outcome::Solved { .. }))
     }
 }
 

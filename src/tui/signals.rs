@@ -1,6 +1,8 @@
-//! TERM, HUP and INT, and a terminal that goes away without a signal.
+//! TERM, HUP and INT, a limit on the size of files, and a terminal that goes away without a signal.
 
 use std::io;
+#[cfg(unix)]
+use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
@@ -21,8 +23,11 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// The system's, if the signals cannot be caught.
 #[cfg(unix)]
 pub fn watch(sender: Sender<Message>) -> io::Result<()> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
     use signal_hook::iterator::Signals;
+
+    // a limit on the size of files is then an error of writing, and not the end
+    signal_hook::flag::register(SIGXFSZ, Arc::default())?;
 
     let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT])?;
     let work = move || {

@@ -48,6 +48,9 @@ const ANGULAR_STIFFNESS: &[Unit] = &[
     part("N mm/rad", 1e3),
     unit("lbf in/rad", POUND_FORCE * 0.0254),
 ];
+const FORCE: &[Unit] = &[unit("N", 1.0), unit("kN", 1e3), unit("MN", 1e6), unit("lbf", POUND_FORCE)];
+const FORCE_PER_RADIAN: &[Unit] =
+    &[unit("N/rad", 1.0), unit("kN/rad", 1e3), unit("MN/rad", 1e6), unit("lbf/rad", POUND_FORCE)];
 const ELASTIC_MODULUS: &[Unit] = &[
     unit("GPa", 1.0),
     part("MPa", 1e3),
@@ -76,6 +79,8 @@ impl Quantity {
             Self::Inertia => INERTIA,
             Self::Stiffness => STIFFNESS,
             Self::AngularStiffness => ANGULAR_STIFFNESS,
+            Self::Force => FORCE,
+            Self::ForcePerRadian => FORCE_PER_RADIAN,
             Self::ElasticModulus => ELASTIC_MODULUS,
             Self::Density => DENSITY,
             Self::Ratio | Self::Damping => RATIO,

@@ -54,7 +54,7 @@ fn accepted_units(units: &[&str]) -> String {
 pub fn parse(text: &str, quantity: Quantity) -> Result<Typed, UnitError> {
     // the sign as word processors write it
     let text = text.trim().replace('\u{2212}', "-");
-    let wanted = || UnitError::NoNumber { unit: quantity.unit(), example: example(quantity) };
+    let wanted = || UnitError::NoNumber { unit: quantity.unit(), example: quantity.example() };
     let (number, rest) = split(&text).ok_or_else(wanted)?;
     if let Some(decimals) = rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
         return Err(UnitError::Comma { suggestion: excerpt(&with_point(number, decimals), 40) });
@@ -90,18 +90,23 @@ fn separates_digits(number: &str) -> bool {
     parts.windows(2).all(|pair| digit(pair[0].chars().next_back()) && digit(pair[1].chars().next()))
 }
 
-const fn example(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Length => "35, 0.035 m or 1.4 in",
-        Quantity::Deflection => "5 or 0.005 mm",
-        Quantity::Frequency => "1200 or 1.2 kHz",
-        Quantity::Mass => "1.5 or 1500 g",
-        Quantity::Inertia => "7e-4 or 700 kg mm^2",
-        Quantity::Stiffness => "6e8 or 600 N/um",
-        Quantity::AngularStiffness => "1.5e5 or 150 kN m/rad",
-        Quantity::ElasticModulus => "206 or 206000 MPa",
-        Quantity::Density => "7850 or 7.85 g/cm^3",
-        Quantity::Ratio | Quantity::Damping => "0.03 or 3 %",
+impl Quantity {
+    /// What may be typed, in words: `6e8 or 600 N/um`.
+    pub const fn example(self) -> &'static str {
+        match self {
+            Self::Length => "35, 0.035 m or 1.4 in",
+            Self::Deflection => "5 or 0.005 mm",
+            Self::Frequency => "1200 or 1.2 kHz",
+            Self::Mass => "1.5 or 1500 g",
+            Self::Inertia => "7e-4 or 700 kg mm^2",
+            Self::Stiffness => "6e8 or 600 N/um",
+            Self::AngularStiffness => "1.5e5 or 150 kN m/rad",
+            Self::Force => "-7e6 or -7000 kN",
+            Self::ForcePerRadian => "-7e6 or -7000 kN/rad",
+            Self::ElasticModulus => "206 or 206000 MPa",
+            Self::Density => "7850 or 7.85 g/cm^3",
+            Self::Ratio | Self::Damping => "0.03 or 3 %",
+        }
     }
 }
 
@@ -210,6 +215,9 @@ mod tests {
             ("150kNm/rad", Quantity::AngularStiffness, "150000.0"),
             ("150 N·m/rad", Quantity::AngularStiffness, "150"),
             ("150 N.m / rad", Quantity::AngularStiffness, "150"),
+            ("-7000 kN", Quantity::Force, "-7e6"),
+            ("1 lbf", Quantity::Force, "4.4482216152605"),
+            ("2 kN/rad", Quantity::ForcePerRadian, "2000.0"),
             ("1500 N mm/rad", Quantity::AngularStiffness, "1.5"),
             ("250 g", Quantity::Mass, "0.25"),
             ("2 lb", Quantity::Mass, "0.90718474"),

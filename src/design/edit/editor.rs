@@ -48,24 +48,26 @@ impl Editor {
         let changed = !steps.changes.is_empty();
         if changed {
             self.document = steps.document;
-            self.history.push(name.clone(), steps.changes);
+            let applied = Applied { name, focus, changed };
+            self.history.push(applied.clone(), steps.changes);
             self.read_again();
+            return Ok(applied);
         }
         Ok(Applied { name, focus, changed })
     }
 
     /// Takes the last edit back: the text is byte for byte what it was before.
-    pub fn undo(&mut self) -> Option<EditName> {
-        let name = self.history.undo(&mut self.document)?;
+    pub fn undo(&mut self) -> Option<Applied> {
+        let applied = self.history.undo(&mut self.document)?;
         self.read_again();
-        Some(name)
+        Some(applied)
     }
 
     /// Makes the edit again that was taken back last.
-    pub fn redo(&mut self) -> Option<EditName> {
-        let name = self.history.redo(&mut self.document)?;
+    pub fn redo(&mut self) -> Option<Applied> {
+        let applied = self.history.redo(&mut self.document)?;
         self.read_again();
-        Some(name)
+        Some(applied)
     }
 
     /// What [`undo`](Self::undo) would take back.
@@ -83,9 +85,9 @@ impl Editor {
         self.document.text() != self.saved
     }
 
-    /// The text as it is now is in the file. The history stays.
-    pub fn mark_saved(&mut self) {
-        self.document.text().clone_into(&mut self.saved);
+    /// This text is in the file now; what is edited may have moved on since. The history stays.
+    pub fn mark_saved(&mut self, text: String) {
+        self.saved = text;
     }
 
     /// The text that was saved last.

@@ -131,6 +131,11 @@ fn date(days: u64) -> (u64, u64, u64) {
     (year + era * 400 + u64::from(month <= 2), month, day)
 }
 
+/// A time as people read it: `2025-01-31 12:00:00`, UTC.
+pub(super) fn shown(time: SystemTime) -> String {
+    when(&stamp(time))
+}
+
 /// A stamp as people read it.
 fn when(stamp: &str) -> String {
     let part = |range: std::ops::Range<usize>| stamp.get(range).unwrap_or_default();

@@ -9,18 +9,17 @@ use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
 use super::view::{Place, Tab, View};
 use crate::design::grid::{Cell, Shown};
-use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, KeyPath, Side};
+use crate::design::{Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Side, Spelled};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
+use crate::tui::recovery::Look;
 
 /// A design with its edits, kept while the program runs.
 #[derive(Debug)]
 pub struct Editing {
     pub path: PathBuf,
     pub editor: Editor,
-    /// The text that is in the file, as far as is known.
-    saved: String,
     saved_design: Option<Arc<Design>>,
     /// What the text says; nothing while it has errors.
     pub design: Option<Arc<Design>>,
@@ -36,9 +35,9 @@ pub struct Editing {
     pub notice: Option<Notice>,
     /// A text is on its way to the file.
     pub is_saving: bool,
-    /// Where to look for each edit that can be undone, and redone.
-    done: Vec<KeyPath>,
-    undone: Vec<KeyPath>,
+    /// What became of the file outside the program, as far as is known.
+    pub look: Look,
+    pub(in crate::tui) is_looking: bool,
 }
 
 /// What lies over the table and takes the keys.
@@ -75,7 +74,6 @@ impl Editing {
         let (tab, side) = (Tab::Segments, Side::Pinion);
         let mut editing = Self {
             path,
-            saved: editor.text().to_owned(),
             saved_design: None,
             design: None,
             last_design: None,
@@ -89,8 +87,8 @@ impl Editing {
             solving: Solving::default(),
             notice: None,
             is_saving: false,
-            done: Vec::new(),
-            undone: Vec::new(),
+            look: Look::default(),
+            is_looking: false,
         };
         editing.take_in_text();
         editing.saved_design = editing.design.clone();
@@ -110,12 +108,12 @@ impl Editing {
     }
 
     pub fn is_modified(&self) -> bool {
-        self.editor.text() != self.saved
+        self.editor.is_modified()
     }
 
     /// The text that the file had when it was read or written last.
     pub fn saved_text(&self) -> &str {
-        &self.saved
+        self.editor.saved_text()
     }
 
     pub fn findings(&self) -> &[Finding] {
@@ -178,11 +176,9 @@ impl Editing {
     }
 
     /// Makes an edit. Where the cursor goes is left to the caller.
-    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
-        let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
+    pub(in crate::tui) fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
+        let applied = self.editor.apply(edit)?;
         if applied.changed {
-            self.done.push(applied.focus.clone());
-            self.undone.clear();
             self.take_in_text();
         }
         Ok(applied)
@@ -190,32 +186,30 @@ impl Editing {
 
     /// Makes an edit and says why it cannot be made.
     pub(super) fn make(&mut self, edit: &Edit) -> Option<Applied> {
-        self.apply(edit).map_err(|error| self.warn(error)).ok()
+        self.apply(edit).map_err(|error| self.warn(error.to_string())).ok()
     }
 
     pub fn undo(&mut self) {
-        let Some(name) = self.editor.undo() else { return self.say("nothing to undo") };
-        let focus = self.done.pop();
-        self.step_taken("undo", &name, focus.clone());
-        self.undone.extend(focus);
+        match self.editor.undo() {
+            Some(applied) => self.step_taken("undo", &applied),
+            None => self.say("nothing to undo"),
+        }
     }
 
     pub fn redo(&mut self) {
-        let Some(name) = self.editor.redo() else { return self.say("nothing to redo") };
-        let focus = self.undone.pop();
-        self.step_taken("redo", &name, focus.clone());
-        self.done.extend(focus);
+        match self.editor.redo() {
+            Some(applied) => self.step_taken("redo", &applied),
+            None => self.say("nothing to redo"),
+        }
     }
 
-    fn step_taken(&mut self, what: &str, name: &EditName, focus: Option<KeyPath>) {
+    fn step_taken(&mut self, what: &str, Applied { name, focus, .. }: &Applied) {
         let entry = match self.layer {
             Some(Layer::Matrix(entry)) => Some((entry, self.cursor().row)),
             _ => None,
         };
         self.take_in_text();
-        if let Some(focus) = focus {
-            self.go_to(&focus);
-        }
+        self.go_to(focus);
         // the matrix stays open while its entries change
         if let Some((entry, row)) = entry.filter(|(_, row)| self.cursor().row == *row && self.on_matrix()) {
             self.cursor_mut().row = row;
@@ -232,12 +226,11 @@ impl Editing {
     /// Takes over that a text is in the file now.
     pub fn saved(&mut self, text: String) {
         if self.editor.text() == text {
-            self.editor.mark_saved();
             self.saved_design.clone_from(&self.design);
         } else {
             self.saved_design = crate::design::read(&text).design.map(Arc::new);
         }
-        self.saved = text;
+        self.editor.mark_saved(text);
         self.solving.ghost = None;
         self.keep_ghost();
     }
@@ -250,14 +243,27 @@ impl Editing {
             && let Ok(editor) = Editor::new(text.clone())
         {
             self.editor = editor;
-            (self.done, self.undone) = (Vec::new(), Vec::new());
             self.take_in_text();
         }
         self.path = path;
+        self.look = Look::default();
+        self.is_looking = false;
         self.layer = None;
         // what is under way would come for the other file
         self.solving.pending = None;
         self.saved(text);
+    }
+
+    /// Names another parent if it is this one that is named.
+    pub fn follow_parent(&mut self, from: &str, to: &str) {
+        let path = KeyPath::root().key("parent");
+        let named = Document::parse(self.editor.text()).ok().and_then(|document| {
+            let item = document.get(&path)?;
+            item.as_str().map(str::to_owned)
+        });
+        if named.as_deref() == Some(from) {
+            self.make(&Edit::Set { path, value: Spelled::text(to) });
+        }
     }
 
     /// The solution as it is now, if it is that of the saved state, is what later ones are compared with.

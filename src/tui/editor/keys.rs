@@ -1,8 +1,9 @@
 //! What a key does to the design in sight, by what it goes to.
 
-use super::{Editing, Form, Layer, Line, List, Tab, Target};
+use super::{Editing, Form, Layer, List, Tab, Target};
 use crate::design::{KeyPath, Side, Towards};
 use crate::tui::action::Action;
+use crate::tui::text_field::TextField;
 
 pub(super) fn act_on_table(editing: &mut Editing, action: Action) {
     let tab = |tab: Tab, editing: &mut Editing| editing.show(tab, editing.side);
@@ -124,9 +125,9 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         Action::GoToFinding => {
             let cursor = list.cursor;
             let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
-            match path.as_deref().map(str::parse::<KeyPath>) {
-                Some(Ok(path)) => editing.go_to(&path),
-                Some(Err(_)) => editing.say("this one is about the whole file"),
+            match path {
+                Some(path) if path == KeyPath::root() => editing.say("this one is about the whole file"),
+                Some(path) => editing.go_to(&path),
                 None => editing.layer = None,
             }
             return;
@@ -137,7 +138,7 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
 }
 
 /// The line that is typed into.
-pub(super) fn line(editing: &mut Editing) -> Option<&mut Line> {
+pub(super) fn line(editing: &mut Editing) -> Option<&mut TextField> {
     if let Some(input) = &mut editing.input {
         input.error = None;
         return Some(&mut input.line);
@@ -149,17 +150,8 @@ pub(super) fn line(editing: &mut Editing) -> Option<&mut Line> {
 }
 
 fn act_on_line(editing: &mut Editing, action: Action) {
-    let Some(line) = line(editing) else { return };
-    match action {
-        Action::TextLeft => line.left(),
-        Action::TextRight => line.right(),
-        Action::TextStart => line.home(),
-        Action::TextEnd => line.end(),
-        Action::DeleteCharacter => line.backspace(),
-        Action::DeleteForward => line.delete(),
-        Action::DeleteWord => line.delete_word(),
-        Action::ClearText => line.delete_to_start(),
-        _ => {}
+    if let (Some(line), Some(edit)) = (line(editing), TextField::edit_of(action)) {
+        edit(line);
     }
 }
 

@@ -2,20 +2,34 @@
 
 use super::Editing;
 use super::editing::Layer;
-use super::line::Line;
 use super::view::Place;
-use crate::design::Edit;
-use crate::design::grid::CellKind;
+use crate::design::grid::{CellKind, TypedError};
+use crate::design::{Edit, EditError};
 use crate::text::printable;
+use crate::tui::text_field::TextField;
 
 /// A value while it is typed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
     pub target: Target,
-    pub line: Line,
-    before: String,
+    pub line: TextField,
+    /// The value as it was; nothing where it was dropped, so that an empty text is typed too.
+    before: Option<String>,
     /// Why it was not taken.
     pub error: Option<String>,
+}
+
+/// Why what was typed is not taken.
+#[derive(Debug, thiserror::Error)]
+enum NotTaken {
+    #[error("a name is wanted")]
+    NoName,
+    #[error("nothing to edit here")]
+    NoCell,
+    #[error(transparent)]
+    Typed(#[from] TypedError),
+    #[error(transparent)]
+    Edit(#[from] EditError),
 }
 
 /// What is typed into.
@@ -107,7 +121,7 @@ impl Editing {
                 }
             }
             CellKind::Flags(_) => self.edit_cell(false),
-            _ => self.say("this cell is typed into: Enter"),
+            _ => self.say("this cell has no words to choose from: a value is typed into it"),
         }
     }
 
@@ -129,7 +143,7 @@ impl Editing {
         let edit = self.cell().map(|cell| Edit::from_typed(cell, text));
         match edit {
             Some(Ok(edit)) => drop(self.make(&edit)),
-            Some(Err(error)) => self.warn(error),
+            Some(Err(error)) => self.warn(error.to_string()),
             None => {}
         }
     }
@@ -145,17 +159,17 @@ impl Editing {
         }
         match Edit::from_typed(cell, typed) {
             Ok(edit) => drop(self.make(&edit)),
-            Err(error) => self.warn(error),
+            Err(error) => self.warn(error.to_string()),
         }
     }
 
     /// Takes what was typed. False keeps the input open, with the reason.
     pub fn accept(&mut self) -> bool {
         let Some(mut input) = self.input.take() else { return true };
-        if input.line.text() == input.before && input.target != Target::NewMaterial {
+        if input.before.as_deref() == Some(input.line.text()) && input.target != Target::NewMaterial {
             return true;
         }
-        let result = self.edit_of(&input).and_then(|edit| self.apply(&edit));
+        let result = self.edit_of(&input).and_then(|edit| Ok(self.apply(&edit)?));
         match result {
             Ok(applied) => {
                 if input.target == Target::NewMaterial {
@@ -170,24 +184,24 @@ impl Editing {
                 true
             }
             Err(error) => {
-                input.error = Some(error);
+                input.error = Some(error.to_string());
                 self.input = Some(input);
                 false
             }
         }
     }
 
-    fn edit_of(&self, input: &Input) -> Result<Edit, String> {
+    fn edit_of(&self, input: &Input) -> Result<Edit, NotTaken> {
         let typed = input.line.text();
         let name = typed.trim();
         let free_name = || match name {
-            "" => Err("a name is wanted".to_owned()),
+            "" => Err(NotTaken::NoName),
             _ => Ok(name.to_owned()),
         };
         match input.target {
             Target::Cell | Target::Entry => {
-                let cell = self.target().ok_or("nothing to edit here")?;
-                Edit::from_typed(cell, typed)
+                let cell = self.target().ok_or(NotTaken::NoCell)?;
+                Ok(Edit::from_typed(cell, typed)?)
             }
             Target::MaterialName => {
                 let from = self.view.row(self.cursor().row).map(|row| row.label.clone()).unwrap_or_default();
@@ -200,9 +214,8 @@ impl Editing {
 
 impl Input {
     pub(super) fn new(target: Target, text: &str, replace: bool) -> Self {
-        let line = Line::new(if replace { "" } else { text });
-        // an empty text that was asked for is typed, not left as it was
-        let before = if replace { "\u{0}".into() } else { text.to_owned() };
+        let line = TextField::new(if replace { "" } else { text });
+        let before = (!replace).then(|| text.to_owned());
         Self { target, line, before, error: None }
     }
 }

@@ -29,7 +29,7 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         Purpose::Duplicate => "Copy",
     };
     let stem = Row::new(form.path.clone()).stem;
-    let (style, text) = match app.checked_form() {
+    let (style, text) = match form.checked(&app.library) {
         _ if form.pending => (theme.faint, format!("working{}", theme.glyphs.ellipsis)),
         Ok(_) => (theme.faint, "in the same folder; .toml is added".to_owned()),
         Err(error) => (theme.error, format!("{} {error}", theme.glyphs.broken)),
@@ -50,8 +50,7 @@ pub fn render_question(app: &App, area: Rect, buffer: &mut Buffer) {
     let row = app.library.row(path);
     let stem = Row::new(path.clone()).stem;
     let ascii = theme.glyphs.ascii;
-    let back = app.keys.of(Mode::Library, Action::RestoreDeleted, ascii).into_iter().next();
-    let back = back.unwrap_or_else(|| format!(":{}", Action::RestoreDeleted.name()));
+    let back = app.keys.names(Mode::Library, ascii).of(Action::RestoreDeleted);
     let variants = match row.map_or(0, |row| app.library.variants(row)) {
         0 => String::new(),
         1 => "\n1 variant names it as its parent.".into(),

@@ -20,7 +20,8 @@ use crate::tui::theme::Theme;
 
 /// A finding as it is read.
 pub fn sentence(finding: &Finding) -> String {
-    let path = if finding.key_path.is_empty() { String::new() } else { format!("{}: ", finding.key_path) };
+    let path = finding.shown_path();
+    let path = if path.is_empty() { path } else { path + ": " };
     let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
     format!("{} {path}{}{hint}", finding.severity.word(), finding.message)
 }
