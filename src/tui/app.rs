@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::caps::Capabilities;
+use super::clipboard::Route;
 use super::compare::CompareView;
 use super::editor::Editors;
 use super::files::Form;
@@ -43,6 +44,8 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    /// How a copied text gets to the terminal.
+    pub clipboard: Route,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
 }
@@ -159,6 +162,7 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            clipboard: Route::default(),
             tickets: Ticket::default(),
             view_moved: false,
         }

@@ -23,6 +23,7 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::ChangeFile(request) => worker.change_file(request),
             Effect::Compare(job) => worker.compare(job),
             Effect::Redraw => session.clear()?,
+            Effect::Copy(bytes) => session.send(&bytes)?,
             Effect::Suspend => session.suspend()?,
             Effect::Quit(ending) => return Ok(Some(ending)),
         }

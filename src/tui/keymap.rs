@@ -153,9 +153,12 @@ const COMMANDS: &[Mode] =
     &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
+/// Where there is a picture, or one behind the list.
+const PICTURES: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice, Mode::Findings];
 
 /// Actions that have no key of their own, and where they can be used all the same.
-const WITHOUT_KEY: &[(Action, &[Mode])] = &[];
+const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -277,6 +280,8 @@ pub const BINDINGS: &[Binding] = &[
     letter(PANES, 'R', Action::Reread),
     control(ALL, 'l', Action::Redraw),
     control(ALL, 'z', Action::Suspend),
+    letter(PICTURES, 'b', Action::CycleMarker),
+    letter(ROWS, 'y', Action::Copy),
     letter(COMMANDS, ':', Action::Palette),
     letter(PANES, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),

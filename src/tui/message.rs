@@ -95,6 +95,8 @@ pub enum Effect {
     Compare(CompareJob),
     /// Draw all of the screen, whatever the terminal shows.
     Redraw,
+    /// Hand a text to the terminal: these bytes, as they are.
+    Copy(Vec<u8>),
     Suspend,
     Quit(Ending),
 }

@@ -21,7 +21,10 @@ pub mod app;
 pub mod axis;
 pub mod backend;
 pub mod caps;
+pub mod clipboard;
+pub mod colours;
 pub mod compare;
+mod copy;
 pub mod editor;
 pub mod effects;
 pub mod files;
@@ -32,10 +35,14 @@ pub mod keymap;
 pub mod keys;
 mod layers;
 pub mod library;
+mod looks;
+pub mod marker;
 pub mod message;
 pub mod notice;
 pub mod overlays;
+pub mod painter;
 pub mod palette;
+mod pen;
 pub mod screens;
 mod signals;
 pub mod terminal;
@@ -52,6 +59,7 @@ pub use backend::{Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 use app::App;
 use caps::Capabilities;
+use clipboard::Route;
 use keys::Keys;
 use message::{Ending, Message};
 use terminal::Session;
@@ -113,6 +121,7 @@ pub fn run(
     }
     let capabilities = Capabilities::detect(options.ascii, |name| std::env::var(name).ok());
     let mut app = App::new(library, shown_as, capabilities);
+    app.clipboard = Route::detect(|name| std::env::var(name).ok());
     app.keys = options.keys;
     if let Some((short, full)) = options.keys_report {
         app.complain_at_length(short, full);

@@ -3,7 +3,7 @@
 //! It is given back when [`Session`] is dropped, before a panic prints its message, and before the program is suspended
 //! or ended by a signal.
 
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, Stdout, Write};
 use std::mem::ManuallyDrop;
 use std::panic;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,17 +12,16 @@ use std::thread::{self, ThreadId};
 use std::time::Duration;
 
 use ratatui::Terminal;
-use ratatui::backend::CrosstermBackend;
 use ratatui::crossterm::cursor::{Hide, Show};
 use ratatui::crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
-use ratatui::crossterm::style::force_color_output;
+use ratatui::crossterm::execute;
+use ratatui::crossterm::style::{Attribute, SetAttribute};
 use ratatui::crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
-    enable_raw_mode,
+    EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode, enable_raw_mode, size,
 };
-use ratatui::crossterm::{execute, queue};
 
 use super::app::App;
+use super::painter::Painter;
 use super::view;
 
 /// Whether the terminal is ours at the moment.
@@ -31,7 +30,7 @@ static TAKEN: AtomicBool = AtomicBool::new(false);
 /// A terminal that is ours until this is dropped.
 pub struct Session {
     /// Never dropped: ratatui would show the cursor once more, and where the terminal is gone panic over it.
-    terminal: ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>,
+    terminal: ManuallyDrop<Terminal<Painter<Stdout>>>,
 }
 
 impl std::fmt::Debug for Session {
@@ -48,10 +47,7 @@ impl Session {
     /// The system's; the terminal is as it was.
     pub fn enter() -> io::Result<Self> {
         restore_before_panic(thread::current().id());
-        // the themes decide about colour; with NO_COLOR crossterm would write full resets in place of colours
-        force_color_output(true);
-        // a frame is written in one piece
-        let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
+        let backend = Painter::new(io::stdout(), size);
         let session = Self { terminal: ManuallyDrop::new(Terminal::new(backend)?) };
         take()?;
         Ok(session)
@@ -63,9 +59,18 @@ impl Session {
     ///
     /// The terminal cannot be written to.
     pub fn draw(&mut self, app: &mut App) -> io::Result<()> {
-        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
-        self.terminal.draw(|frame| view::draw(app, frame))?;
-        execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
+        self.terminal.draw(|frame| view::draw(app, frame)).map(drop)
+    }
+
+    /// Writes a sequence that draws nothing, between two frames.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be written to.
+    pub fn send(&mut self, sequence: &[u8]) -> io::Result<()> {
+        let out = self.terminal.backend_mut().writer_mut();
+        out.write_all(sequence)?;
+        out.flush()
     }
 
     /// Forgets what the terminal shows: the next frame is drawn whole.
@@ -74,7 +79,7 @@ impl Session {
     ///
     /// The terminal cannot be written to.
     pub fn clear(&mut self) -> io::Result<()> {
-        // `Terminal::clear` would ask the terminal for the cursor: the answer goes to the thread that reads keys
+        self.terminal.backend_mut().forget();
         let size = self.terminal.size()?;
         self.terminal.resize(size.into())
     }
@@ -135,7 +140,14 @@ pub fn restore_in_passing() {
 }
 
 fn leave() {
-    drop(execute!(io::stdout(), EndSynchronizedUpdate, DisableBracketedPaste, Show, LeaveAlternateScreen));
+    drop(execute!(
+        io::stdout(),
+        EndSynchronizedUpdate,
+        SetAttribute(Attribute::Reset),
+        DisableBracketedPaste,
+        Show,
+        LeaveAlternateScreen
+    ));
     drop(io::stdout().flush());
 }
 

@@ -23,7 +23,8 @@ impl App {
         match message {
             Message::Key(event) => self.key(event),
             Message::Paste(text) => self.paste(&text),
-            Message::Resized => Vec::new(),
+            // it may have had another size in between, and shows what that left
+            Message::Resized => vec![Effect::Redraw],
             Message::Loaded { ticket, path, result } => {
                 if let Some(row) = self.library.row_mut(&path).filter(|row| ticket >= row.ticket) {
                     row.ticket = ticket;
@@ -261,6 +262,8 @@ impl App {
             Action::OpenEditor => self.open_editor(),
             Action::SaveAll => self.save_all(),
             Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
+            Action::CycleMarker | Action::ToggleBackground => self.change_looks(action),
+            Action::Copy | Action::CopyPath => self.copy(action),
             // the rest is the editor's
             _ => Vec::new(),
         }

@@ -184,6 +184,10 @@ impl App {
             | Action::SaveAll
             | Action::DiscardAll
             | Action::Filter
+            | Action::CycleMarker
+            | Action::ToggleBackground
+            | Action::Copy
+            | Action::CopyPath
             | Action::Reread => return None,
             _ => match mode {
                 Mode::Cell => act_on_input(editing, action),

@@ -27,7 +27,6 @@ use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Layer, Place, Tab, Target};
 use crate::tui::theme::Theme;
-use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::side_view::{self, Element};
 use crate::tui::widgets::{
@@ -265,7 +264,7 @@ fn render_spectra(editing: &mut Editing, live: bool, theme: &Theme, area: Rect, 
     let strip_height = if inner.height >= 18 { (inner.height * 3 / 10).clamp(3, 7) | 1 } else { 0 };
     let upper =
         Rect { height: inner.height.saturating_sub(if strip_height > 0 { strip_height + 1 } else { 0 }), ..inner };
-    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (dots, _) = theme.marker.dots();
     let width = usize::from(plot::curve_width(inner));
     solution.picture.prepare(width, dots);
     let axis = solution.picture.traces.axis;
