@@ -24,7 +24,8 @@
 //! | [`report`] | results as tables, CSV and JSON | |
 //! | [`commands`] | the command line, one file a subcommand | |
 //! | [`tui`] | the terminal explorer | |
-//! | [`units`], [`text`] | quantities at the edges; foreign text made harmless | |
+//! | [`log`], [`crash`] | what happened, for `--log`; the report of a mistake in the program | |
+//! | [`units`], [`text`], [`moment`] | quantities and times at the edges; foreign text made harmless | |
 //!
 //! ```
 //! use bevelscope::{comparison::compare, design::{library::SHIPPED, read}};
@@ -58,8 +59,11 @@
 pub mod agreement;
 pub mod commands;
 pub mod comparison;
+pub mod crash;
 pub mod design;
+pub mod log;
 pub mod model;
+pub mod moment;
 pub mod number;
 pub mod report;
 pub mod response;

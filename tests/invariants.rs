@@ -118,7 +118,7 @@ fn look_at_keys(value: &Value, key: &str, numbers: &mut usize) {
 #[test]
 fn modules_know_what_the_architecture_says() {
     const MAY_KNOW: [(&str, &[&str]); 7] = [
-        ("design/", &["design", "units", "text", "number", "rotor"]),
+        ("design/", &["design", "units", "text", "number", "rotor", "moment"]),
         ("rotor/", &["rotor", "design"]),
         ("model/", &["model", "rotor", "design"]),
         ("response/", &["response", "model", "rotor", "design"]),
@@ -126,7 +126,20 @@ fn modules_know_what_the_architecture_says() {
         ("report/", &["report", "comparison", "model", "text"]),
         (
             "tui/",
-            &["tui", "agreement", "comparison", "design", "model", "number", "rotor", "text", "units", "response"],
+            &[
+                "tui",
+                "agreement",
+                "comparison",
+                "design",
+                "model",
+                "number",
+                "rotor",
+                "text",
+                "units",
+                "response",
+                "log",
+                "crash",
+            ],
         ),
     ];
     for (name, code) in sources() {

@@ -11,8 +11,10 @@ use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
 use crate::text::printable;
+use crate::tui::facts;
 use crate::tui::files::{FileDone, FileRequest};
 use crate::tui::{self, Backend, BrokenDesign, LoadedDesign, NotSaved};
+use crate::{crash, log};
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -24,6 +26,9 @@ pub struct Args {
     ascii: bool,
     #[command(flatten)]
     keys: KeysArg,
+    /// Add what happens to a log file, a line each with the time: for bug reports
+    #[arg(long, value_name = "FILE")]
+    log: Option<PathBuf>,
 }
 
 pub fn run(args: &Args) -> Result<(), CommandError> {
@@ -35,6 +40,19 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
     if let Some(missing) = paths.iter().find(|path| !path.exists()) {
         return Err(CommandError::Usage(no_such(missing)));
     }
+    let log = args.log.as_deref().map(log::open).transpose().map_err(|error| CommandError::Usage(error.to_string()))?;
+    let terminal = facts::facts(args.ascii, |name| std::env::var(name).ok());
+    crash::describe_terminal(facts::as_text(&terminal));
+    if log.is_some() {
+        log::write(format_args!("start of bevelscope {}, {}", env!("CARGO_PKG_VERSION"), super::doctor::platform()));
+        facts::as_text(&terminal).lines().for_each(log::write);
+    }
+    let ended = explore(args, paths);
+    log::write(ended.as_ref().map_or_else(|error| format!("end: {error}"), |()| "end".into()));
+    ended
+}
+
+fn explore(args: &Args, paths: Vec<PathBuf>) -> Result<(), CommandError> {
     let shown_as: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
     let (keys, keys_report) = args.keys.for_explorer()?;
     let options = tui::Options { ascii: args.ascii, keys, keys_report };
@@ -46,7 +64,7 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
 fn no_such(path: &Path) -> String {
     const ALIKE: f64 = 0.6;
     let shown = path.display().to_string();
-    let commands = ["solve", "modes", "check", "inspect", "compare", "keys"];
+    let commands = ["solve", "modes", "check", "inspect", "compare", "keys", "doctor"];
     let alike = |command: &&str| strsim::normalized_damerau_levenshtein(&shown, command) >= ALIKE;
     let hint = commands.into_iter().find(alike);
     let hint = hint.map(|command| format!("; did you mean the command `{command}`?")).unwrap_or_default();

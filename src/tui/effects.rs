@@ -25,6 +25,7 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::Redraw => session.clear()?,
             Effect::Copy(bytes) => session.send(&bytes)?,
             Effect::Suspend => session.suspend()?,
+            Effect::TakeAgain => session.take_again()?,
             Effect::Quit(ending) => return Ok(Some(ending)),
         }
     }

@@ -153,9 +153,8 @@ const COMMANDS: &[Mode] =
     &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
-/// Where there is a picture, or one behind the list.
-const PICTURES: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice, Mode::Findings];
+/// Where there is a picture.
+const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
 
 /// Actions that have no key of their own, and where they can be used all the same.
 const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];

@@ -74,8 +74,8 @@ impl Marker {
             Self::Letters => None,
             Self::Points => Some(match dots {
                 0b001 => '\'',
-                0b100 => '.',
-                _ => ':',
+                0b100 => ',',
+                _ => '|',
             }),
         }
     }
@@ -90,7 +90,7 @@ impl Marker {
     pub fn samples(self) -> [&'static str; 3] {
         match self {
             Self::Letters => ["F", "e", "b"],
-            Self::Points => ["...", "..", "."],
+            Self::Points => [",,,", ",,", ","],
             Self::Dots => ["•••", "••", "•"],
             Self::Braille | Self::Blocks => ["━", "╍", "┈"],
         }

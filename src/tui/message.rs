@@ -68,6 +68,10 @@ pub enum Message {
         ticket: Ticket,
         result: Box<Compared>,
     },
+    /// The system asks the program to stop until it is continued.
+    Suspend,
+    /// The program was stopped, without being asked, and goes on.
+    Continued,
     /// The system asks the program to end.
     Signal(i32),
     /// The terminal is gone.
@@ -98,6 +102,8 @@ pub enum Effect {
     /// Hand a text to the terminal: these bytes, as they are.
     Copy(Vec<u8>),
     Suspend,
+    /// Take the terminal over again, whatever state it is in.
+    TakeAgain,
     Quit(Ending),
 }
 

@@ -27,6 +27,7 @@ pub mod compare;
 mod copy;
 pub mod editor;
 pub mod effects;
+pub mod facts;
 pub mod files;
 pub mod fuzzy;
 pub mod help;
@@ -43,6 +44,7 @@ pub mod overlays;
 pub mod painter;
 pub mod palette;
 mod pen;
+mod record;
 pub mod screens;
 mod signals;
 pub mod terminal;
@@ -61,7 +63,7 @@ use app::App;
 use caps::Capabilities;
 use clipboard::Route;
 use keys::Keys;
-use message::{Ending, Message};
+use message::{Effect, Ending, Message};
 use terminal::Session;
 use worker::Worker;
 
@@ -144,6 +146,11 @@ pub fn run(
     }
 }
 
+fn take_in(app: &mut App, message: Message) -> Vec<Effect> {
+    record::record(&message);
+    app.update(message)
+}
+
 fn run_loop(app: &mut App, receiver: &Receiver<Message>, worker: &Worker, session: &mut Session) -> io::Result<Ending> {
     let mut effects = app.start();
     loop {
@@ -151,7 +158,7 @@ fn run_loop(app: &mut App, receiver: &Receiver<Message>, worker: &Worker, sessio
             return Ok(ending);
         }
         let Ok(message) = receiver.recv() else { return Ok(Ending::TerminalGone) };
-        effects = app.update(message);
+        effects = take_in(app, message);
         // everything that is there already goes into the same frame; and where the selected design will be solved in a
         // moment, there is no flash of an empty pane
         let deadline = Instant::now() + SETTLE;
@@ -162,7 +169,7 @@ fn run_loop(app: &mut App, receiver: &Receiver<Message>, worker: &Worker, sessio
             let patience =
                 if app.is_settling() { deadline.saturating_duration_since(Instant::now()) } else { Duration::ZERO };
             match receiver.recv_timeout(patience) {
-                Ok(message) => effects = app.update(message),
+                Ok(message) => effects = take_in(app, message),
                 Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
             }
         }

@@ -1,4 +1,4 @@
-//! TERM, HUP and INT, and a terminal that goes away without a signal.
+//! TERM, HUP and INT, TSTP and CONT, and a terminal that goes away without a signal.
 
 use std::io;
 use std::sync::mpsc::Sender;
@@ -13,7 +13,7 @@ use super::terminal;
 /// How long the explorer has for ending by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Turns the signals that end a program into messages. If the program has not ended a second later, because it hangs in
+/// Turns the signals that end, suspend and continue a program into messages. If the program has not ended a second later, because it hangs in
 /// a write to a dead terminal, it is ended here.
 ///
 /// # Errors
@@ -21,13 +21,24 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// The system's, if the signals cannot be caught.
 #[cfg(unix)]
 pub fn watch(sender: Sender<Message>) -> io::Result<()> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGTERM, SIGTSTP};
     use signal_hook::iterator::Signals;
 
-    let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT])?;
+    let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT, SIGTSTP, SIGCONT])?;
     let work = move || {
         for number in signals.forever() {
-            let told = sender.send(Message::Signal(number)).is_ok();
+            let message = match number {
+                SIGTSTP => Message::Suspend,
+                // where the program has suspended itself, it comes back by itself
+                SIGCONT if terminal::is_suspended() => continue,
+                SIGCONT => Message::Continued,
+                _ => Message::Signal(number),
+            };
+            let ends = matches!(message, Message::Signal(_));
+            let told = sender.send(message).is_ok();
+            if told && !ends {
+                continue;
+            }
             if told {
                 thread::sleep(PATIENCE);
             }

@@ -23,9 +23,12 @@ use ratatui::crossterm::terminal::{
 use super::app::App;
 use super::painter::Painter;
 use super::view;
+use crate::{crash, log};
 
 /// Whether the terminal is ours at the moment.
 static TAKEN: AtomicBool = AtomicBool::new(false);
+/// Whether the program has suspended itself.
+static SUSPENDED: AtomicBool = AtomicBool::new(false);
 
 /// A terminal that is ours until this is dropped.
 pub struct Session {
@@ -93,11 +96,33 @@ impl Session {
         #[cfg(unix)]
         {
             restore();
-            signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
-            take()?;
-            self.clear()?;
+            log::write("suspended");
+            SUSPENDED.store(true, Ordering::SeqCst);
+            let stopped = signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP);
+            log::write("continued");
+            let taken = take().and_then(|()| self.clear());
+            // the signal that continued the program may come later than this, and does no more than draw once again
+            SUSPENDED.store(false, Ordering::SeqCst);
+            stopped.and(taken)
         }
+        #[cfg(not(unix))]
         Ok(())
+    }
+
+    /// Takes the terminal over once more after the program was stopped with the terminal in its hands: whoever had it
+    /// meanwhile has left it in another state.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be taken over again.
+    pub fn take_again(&mut self) -> io::Result<()> {
+        // crossterm believes that it is still raw
+        disable_raw_mode()?;
+        enable_raw_mode()?;
+        // the cursor that was saved when the terminal was taken over is the one to go back to: it is not saved again
+        self.send(b"\x1b[?1047h")?;
+        execute!(io::stdout(), Hide, EnableBracketedPaste)?;
+        self.clear()
     }
 }
 
@@ -113,6 +138,9 @@ fn take() -> io::Result<()> {
     // bracketed paste: text from the clipboard must not act as keys
     execute!(io::stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste).inspect_err(|_| restore())
 }
+
+/// The exit status of a Rust program that panicked.
+const PANICKED: i32 = 101;
 
 /// Gives the terminal back, once. Errors are of no use here: the terminal may be what is gone.
 pub fn restore() {
@@ -156,18 +184,33 @@ pub fn is_taken() -> bool {
     TAKEN.load(Ordering::SeqCst)
 }
 
-/// A panic of the thread that draws gives the terminal back before its message is printed. Those of the background
-/// threads are caught there and shown as the design's error: printing them would go through the picture.
+/// Whether the program has suspended itself, and has not yet taken the terminal over again.
+pub fn is_suspended() -> bool {
+    SUSPENDED.load(Ordering::SeqCst)
+}
+
+/// A panic that ends the program gives the terminal back before its message is printed, and ends it wherever it happens: an
+/// explorer without its keys would be of no use. One that is caught says nothing, which would go through the picture.
 fn restore_before_panic(drawing: ThreadId) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
         let previous = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
-            if is_taken() && thread::current().id() != drawing {
-                return;
+            if crash::is_caught() {
+                return previous(info);
             }
-            restore();
+            let draws = thread::current().id() == drawing;
+            let taken = is_taken();
+            // the thread that draws may hang, or be in the middle of a frame
+            if draws {
+                restore();
+            } else {
+                restore_in_passing();
+            }
             previous(info);
+            if taken && !draws {
+                std::process::exit(PANICKED);
+            }
         }));
     });
 }

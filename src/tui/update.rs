@@ -85,6 +85,8 @@ impl App {
                 self.compared(ticket, *result);
                 Vec::new()
             }
+            Message::Suspend => vec![Effect::Suspend],
+            Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
             Message::TerminalGone => vec![Effect::Quit(Ending::TerminalGone)],
         }

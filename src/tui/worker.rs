@@ -21,6 +21,7 @@ use super::message::Message;
 use super::traces::Traces;
 use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
+use crate::crash;
 use crate::design::Design;
 use crate::design::library::VariantName;
 
@@ -191,7 +192,7 @@ fn solve(
 }
 
 pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
+    catch_unwind(AssertUnwindSafe(|| crash::caught(work))).map_err(|payload| {
         let text = payload.downcast_ref::<String>().cloned();
         text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_else(|| "no message".into())
     })

@@ -93,8 +93,8 @@ mod tests {
         assert_eq!(drawn(Marker::Braille, &[(0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (1, 2)]), "⡾ ");
         assert_eq!(drawn(Marker::Blocks, &[(0, 0), (3, 1)]), "▘▗");
         assert_eq!(drawn(Marker::Blocks, &[(0, 1), (1, 0), (2, 0), (2, 1)]), "▞▌");
-        assert_eq!(drawn(Marker::Points, &[(0, 0), (1, 1)]), "'.");
-        assert_eq!(drawn(Marker::Points, &[(1, 0), (1, 1)]), " :");
+        assert_eq!(drawn(Marker::Points, &[(0, 0), (1, 1)]), "',");
+        assert_eq!(drawn(Marker::Points, &[(1, 0), (1, 1)]), " |");
         assert_eq!(drawn(Marker::Dots, &[(1, 0)]), " •");
         assert_eq!(drawn(Marker::Letters, &[(1, 0)]), " F");
         assert_eq!(drawn(Marker::Braille, &[(99, 0), (0, 99)]), "  ");
