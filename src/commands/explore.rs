@@ -1,18 +1,18 @@
 //! `bevelscope` without a subcommand: the terminal explorer.
 
-use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::CommandError;
+use super::guard::Guard;
 use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, Observer, SolveError};
-use crate::design::library::{Trashed, trashed};
+use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
 use crate::text::printable;
 use crate::tui::facts;
 use crate::tui::files::{FileDone, FileRequest};
+use crate::tui::recovery::{Kept, Look};
 use crate::tui::{self, Backend, BrokenDesign, LoadedDesign, NotSaved};
 use crate::{crash, log};
 
@@ -57,7 +57,7 @@ fn explore(args: &Args, paths: Vec<PathBuf>) -> Result<(), CommandError> {
     let (keys, keys_report) = args.keys.for_explorer()?;
     let options = tui::Options { ascii: args.ascii, keys, keys_report };
     let files = library::files(&paths);
-    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths) }))?)
+    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths), guard: Guard::new() }))?)
 }
 
 /// The argument may be a mistyped command.
@@ -77,6 +77,7 @@ fn no_such(path: &Path) -> String {
 struct Files {
     /// The folders and files of the library. A file that is named here follows its renaming.
     paths: Mutex<Vec<PathBuf>>,
+    guard: Guard,
 }
 
 impl Files {
@@ -157,14 +158,24 @@ impl Backend for Files {
         }
     }
 
-    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
-        match fs::read(path) {
-            Ok(bytes) if bytes == expected.as_bytes() => {}
-            Ok(_) => return Err(NotSaved::Changed),
-            Err(error) if error.kind() == ErrorKind::NotFound => return Err(NotSaved::Changed),
-            Err(error) => return Err(NotSaved::Failed(error.to_string())),
-        }
-        design::save(path, text).map_err(|error| NotSaved::Failed(error.to_string()))
+    fn save(&self, path: &Path, expected: Option<&[u8]>, text: &str) -> Result<(), NotSaved> {
+        self.guard.save(path, expected, text)
+    }
+
+    fn keep(&self, change: &Kept) -> Result<(), String> {
+        self.guard.keep(change)
+    }
+
+    fn left(&self) -> Left {
+        self.guard.left(&self.paths())
+    }
+
+    fn look(&self, path: &Path, expected: &str) -> Look {
+        self.guard.look(path, expected)
+    }
+
+    fn release(&self, path: &Path) {
+        self.guard.release(path);
     }
 
     fn save_variant(

@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod doctor;
 mod explore;
+mod guard;
 mod input;
 mod inspect;
 mod keys;

@@ -138,6 +138,12 @@ actions! {
     NextField, "next-field", Typing, "name or note", hint 1 "name/note";
     SaveAll, "save-all", Edit, "save all designs and quit", hint 0 "save all";
     DiscardAll, "discard-all", Edit, "quit without the edits that are not saved", hint 1 "discard";
+    Recover, "recover", Edit, "unsaved edits that an earlier run has left";
+    TakeEdits, "take-edits", Edit, "open the tables with the edits of the earlier run; can be undone", hint 0 "take";
+    DiscardEdits, "discard-edits", Edit, "put the edits of the earlier run aside", hint 1 "discard";
+    NextOffer, "next-offer", Edit, "the next design with edits of an earlier run", hint 3 "next";
+    KeepMine, "keep-mine", Edit, "write over what somebody else has saved, as it is shown", hint 0 "keep mine";
+    TakeTheirs, "take-theirs", Edit, "take what somebody else has saved; undo brings the edits back", hint 1 "take theirs";
     Findings, "findings", Find, "what is wrong or unusual in the design", hint 4 "findings";
     GoToFinding, "go-to-finding", Find, "to the cell that the finding is about", hint 0 "go there";
     Solve, "solve", Solve, "solve the design as it is now", hint 2 "solve";

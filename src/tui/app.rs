@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::caps::Capabilities;
 use super::clipboard::Route;
 use super::compare::CompareView;
+use super::conflict::Conflicts;
 use super::editor::Editors;
 use super::files::Form;
 use super::help::HelpSearch;
@@ -15,9 +16,10 @@ use super::library::{Library, RowState};
 use super::message::Effect;
 use super::notice::{Messages, Notice};
 use super::palette::Palette;
+use super::recovery::Recovery;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
-use super::worker::{Job, Summary, Ticket};
+use super::worker::{FileJob, Job, Summary, Ticket};
 use crate::design::library::Trashed;
 
 #[derive(Debug)]
@@ -46,6 +48,8 @@ pub struct App {
     pub compare: Option<CompareView>,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
+    pub recovery: Recovery,
+    pub conflicts: Conflicts,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
 }
@@ -163,6 +167,8 @@ impl App {
             deleted: Vec::new(),
             compare: None,
             clipboard: Route::default(),
+            recovery: Recovery::default(),
+            conflicts: Conflicts::default(),
             tickets: Ticket::default(),
             view_moved: false,
         }
@@ -171,6 +177,7 @@ impl App {
     /// What to do after the first frame.
     pub fn start(&mut self) -> Vec<Effect> {
         let mut effects = self.follow_selection();
+        effects.push(Effect::File(FileJob::Left));
         effects.extend(self.fill());
         self.view_moved = false;
         effects

@@ -19,6 +19,7 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::SolveEdited(job) => worker.solve_edited(job),
             Effect::CancelSolve => worker.cancel(),
             Effect::File(job) => worker.file(job),
+            Effect::Keep(change) => worker.keep(change),
             Effect::List => worker.list(),
             Effect::ChangeFile(request) => worker.change_file(request),
             Effect::Compare(job) => worker.compare(job),

@@ -46,10 +46,28 @@ pub enum HelpLine {
 }
 
 /// Where letters are keys in a screen and what lies over it, the help itself last.
-const EXPLORER: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Confirm, Mode::Leave, Mode::Messages, Mode::Help];
-const EDITOR: &[Mode] =
-    &[Mode::Table, Mode::Matrix, Mode::Choice, Mode::Findings, Mode::Leave, Mode::Messages, Mode::Help];
+const EXPLORER: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Compare,
+    Mode::Confirm,
+    Mode::Leave,
+    Mode::Recovery,
+    Mode::Conflict,
+    Mode::Messages,
+    Mode::Help,
+];
+const EDITOR: &[Mode] = &[
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Leave,
+    Mode::Recovery,
+    Mode::Conflict,
+    Mode::Messages,
+    Mode::Help,
+];
 /// Where letters are text.
 const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::HelpSearch];
 const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::HelpSearch];

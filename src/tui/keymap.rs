@@ -40,10 +40,14 @@ pub enum Mode {
     Form,
     /// What to do with edits that are not saved.
     Leave,
+    /// What to do with edits of an earlier run.
+    Recovery,
+    /// What to do where somebody else has changed the file.
+    Conflict,
 }
 
 impl Mode {
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -61,6 +65,8 @@ impl Mode {
         Self::Findings,
         Self::Form,
         Self::Leave,
+        Self::Recovery,
+        Self::Conflict,
     ];
 
     /// Its table in the file of keys.
@@ -83,6 +89,8 @@ impl Mode {
             Self::Findings => "findings",
             Self::Form => "form",
             Self::Leave => "leave",
+            Self::Recovery => "recovery",
+            Self::Conflict => "conflict",
         }
     }
 
@@ -101,8 +109,17 @@ pub struct Binding {
     pub action: Action,
 }
 
-const LISTS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Messages, Mode::Compare, Mode::Choice, Mode::Findings];
+const LISTS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Recovery,
+    Mode::Conflict,
+];
 /// Where letters move.
 const ROWS: &[Mode] = &[
     Mode::Library,
@@ -114,6 +131,8 @@ const ROWS: &[Mode] = &[
     Mode::Findings,
     Mode::Table,
     Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
 ];
 /// Where there is something to move in.
 const MOVING: &[Mode] = &[
@@ -129,6 +148,8 @@ const MOVING: &[Mode] = &[
     Mode::Findings,
     Mode::Table,
     Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
 ];
 const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 const LIBRARY: &[Mode] = &[Mode::Library];
@@ -155,6 +176,10 @@ const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
 const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
+const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
+const RECOVERY: &[Mode] = &[Mode::Recovery];
+const CONFLICT: &[Mode] = &[Mode::Conflict];
+const VARIANTS: &[Mode] = &[Mode::Table, Mode::Recovery, Mode::Conflict];
 
 /// Actions that have no key of their own, and where they can be used all the same.
 const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];
@@ -222,7 +247,7 @@ pub const BINDINGS: &[Binding] = &[
     letter(CELLS, 'u', Action::Undo),
     control(CELLS, 'r', Action::Redo),
     letter(TABLE, 's', Action::Save),
-    letter(TABLE, 'S', Action::SaveVariant),
+    letter(VARIANTS, 'S', Action::SaveVariant),
     key(CELL, KeyCode::Enter, Action::AcceptCell),
     key(CELL, KeyCode::Tab, Action::AcceptNext),
     key(CELL, KeyCode::BackTab, Action::AcceptPrevious),
@@ -236,6 +261,13 @@ pub const BINDINGS: &[Binding] = &[
     key(FORM, KeyCode::Down, Action::NextField),
     letter(&[Mode::Leave], 's', Action::SaveAll),
     letter(&[Mode::Leave], 'd', Action::DiscardAll),
+    letter(OPENED, 'U', Action::Recover),
+    letter(RECOVERY, 't', Action::TakeEdits),
+    letter(RECOVERY, 'd', Action::DiscardEdits),
+    letter(RECOVERY, 'n', Action::NextOffer),
+    key(RECOVERY, KeyCode::Tab, Action::NextOffer),
+    letter(CONFLICT, 'm', Action::KeepMine),
+    letter(CONFLICT, 't', Action::TakeTheirs),
     letter(TABLE, 'f', Action::Findings),
     letter(&[Mode::Findings], 'f', Action::Back),
     key(&[Mode::Findings], KeyCode::Enter, Action::GoToFinding),

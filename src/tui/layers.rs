@@ -2,6 +2,7 @@
 
 use super::action::Action;
 use super::app::{App, Outcome};
+use super::conflict::Conflict;
 use super::editor::{Editing, Layer};
 use super::keymap::Mode;
 use super::message::Effect;
@@ -55,6 +56,8 @@ impl App {
                 selected.is_some()
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
+            Action::NextOffer => self.recovery.offers.all.len() > 1,
+            Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),
             Action::Quit if self.mode == Mode::Leave || self.mode.is_typing() => false,
             // everyone knows, and there is much to say
             Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,

@@ -8,7 +8,9 @@ use ratatui::crossterm::event::KeyEvent;
 use super::backend::{BrokenDesign, LoadedDesign, NotSaved};
 use super::compare::{CompareJob, Compared};
 use super::files::{FileDone, FileRequest};
+use super::recovery::{Kept, Look};
 use super::worker::{EditedJob, FileJob, Job, Solved, Ticket};
+use crate::design::library::Left;
 
 /// Everything that can change the state comes as one of these.
 #[derive(Debug)]
@@ -56,6 +58,17 @@ pub enum Message {
         original: PathBuf,
         result: Result<(PathBuf, String), String>,
     },
+    /// Whether somebody else has changed or opened a file.
+    Looked {
+        path: PathBuf,
+        look: Look,
+    },
+    /// Unsaved edits of earlier runs.
+    Left(Left),
+    /// Whether unsaved edits are kept where they survive the program, or why not; when that changes.
+    Protected(Result<(), String>),
+    /// Why edits that nobody needs any more could not be put away.
+    NotTidied(String),
     /// The library's files, or why they cannot be listed.
     Listed(Result<Vec<PathBuf>, String>),
     /// What became of a change of a file.
@@ -91,6 +104,8 @@ pub enum Effect {
     CancelSolve,
     /// Read or write a file.
     File(FileJob),
+    /// Keep unsaved edits where they survive the program, or no longer.
+    Keep(Kept),
     /// List the library's files again.
     List,
     /// Rename, copy, delete or bring back a file.

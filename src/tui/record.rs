@@ -38,6 +38,18 @@ fn line(message: &Message) -> Option<String> {
             Ok((path, _)) => format!("saved {} as a variant of {}", path.display(), original.display()),
             Err(error) => format!("cannot save a variant of {}: {error}", original.display()),
         },
+        Message::Looked { .. } => return None,
+        Message::Left(left) if left.edits.is_empty() && left.damaged.is_empty() => return None,
+        Message::Left(left) => {
+            format!(
+                "unsaved edits of {} designs were left, {} journals are damaged",
+                left.edits.len(),
+                left.damaged.len()
+            )
+        }
+        Message::Protected(Ok(())) => "unsaved edits are kept in journals".into(),
+        Message::Protected(Err(error)) => format!("unsaved edits cannot be kept in journals: {error}"),
+        Message::NotTidied(error) => format!("cannot put away edits that nobody needs: {error}"),
         Message::Listed(Err(error)) => format!("cannot list the designs: {error}"),
         Message::FileChanged { request, result } => match result {
             Ok(done) => format!("{done:?}"),

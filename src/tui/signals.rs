@@ -1,6 +1,8 @@
-//! TERM, HUP and INT, TSTP and CONT, and a terminal that goes away without a signal.
+//! TERM, HUP and INT, TSTP and CONT, a limit on the size of files, and a terminal that goes away without a signal.
 
 use std::io;
+#[cfg(unix)]
+use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
@@ -13,16 +15,19 @@ use super::terminal;
 /// How long the explorer has for ending by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Turns the signals that end, suspend and continue a program into messages. If the program has not ended a second later, because it hangs in
-/// a write to a dead terminal, it is ended here.
+/// Turns the signals that end, stop and continue a program into messages. If the program has not ended a second after it was
+/// asked to, because it hangs in a write to a dead terminal, it is ended here.
 ///
 /// # Errors
 ///
 /// The system's, if the signals cannot be caught.
 #[cfg(unix)]
 pub fn watch(sender: Sender<Message>) -> io::Result<()> {
-    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGTERM, SIGTSTP};
+    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGTERM, SIGTSTP, SIGXFSZ};
     use signal_hook::iterator::Signals;
+
+    // a limit on the size of files is then an error of writing, and not the end
+    signal_hook::flag::register(SIGXFSZ, Arc::default())?;
 
     let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT, SIGTSTP, SIGCONT])?;
     let work = move || {
@@ -36,7 +41,7 @@ pub fn watch(sender: Sender<Message>) -> io::Result<()> {
             };
             let ends = matches!(message, Message::Signal(_));
             let told = sender.send(message).is_ok();
-            if told && !ends {
+            if !ends {
                 continue;
             }
             if told {

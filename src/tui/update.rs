@@ -20,6 +20,14 @@ use super::worker::{Solved, Ticket};
 impl App {
     /// Takes in one message.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
+        let mut effects = self.take_in(message);
+        let protection = self.protect();
+        // before the program ends
+        effects.splice(0..0, protection);
+        effects
+    }
+
+    fn take_in(&mut self, message: Message) -> Vec<Effect> {
         match message {
             Message::Key(event) => self.key(event),
             Message::Paste(text) => self.paste(&text),
@@ -69,6 +77,22 @@ impl App {
             }
             Message::Saved { path, text, result } => self.saved(&path, text, result),
             Message::VariantSaved { original, result } => self.variant_saved(&original, result),
+            Message::Looked { path, look } => {
+                self.looked(&path, look);
+                Vec::new()
+            }
+            Message::Left(left) => {
+                self.take_in_left(left);
+                Vec::new()
+            }
+            Message::Protected(result) => {
+                self.protected(result);
+                Vec::new()
+            }
+            Message::NotTidied(error) => {
+                self.complain(error);
+                Vec::new()
+            }
             Message::Listed(Ok(paths)) => {
                 self.notice.take_if(|notice| notice.kind == NoticeKind::NotListed);
                 self.library.replace(paths);
@@ -263,7 +287,22 @@ impl App {
             Action::Quit => self.quit(),
             Action::OpenEditor => self.open_editor(),
             Action::SaveAll => self.save_all(),
-            Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
+            Action::DiscardAll => {
+                let mut effects = self.discard_all();
+                effects.push(Effect::Quit(Ending::Quit));
+                effects
+            }
+            Action::Recover => self.ask_for_offers(),
+            Action::TakeEdits => self.take_offer(false),
+            Action::DiscardEdits => self.discard_offer(),
+            Action::NextOffer => {
+                self.next_offer();
+                Vec::new()
+            }
+            Action::KeepMine => self.keep_mine(),
+            Action::TakeTheirs => self.take_theirs(),
+            Action::SaveVariant if self.mode == Mode::Recovery => self.take_offer(true),
+            Action::SaveVariant => self.conflict_to_variant(),
             Action::CycleMarker | Action::ToggleBackground => self.change_looks(action),
             Action::Copy | Action::CopyPath => self.copy(action),
             // the rest is the editor's
@@ -292,6 +331,8 @@ impl App {
             Mode::Help | Mode::HelpSearch => self.help_scroll.page(),
             Mode::Palette => self.palette.height.saturating_sub(1).max(1).cast_signed(),
             Mode::Messages => self.messages.scroll.page(),
+            Mode::Recovery => self.recovery.offers.scroll.page(),
+            Mode::Conflict => self.conflicts.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
             _ => 0,
         }
@@ -307,6 +348,8 @@ impl App {
             Mode::Help | Mode::HelpSearch => self.help_scroll.by(by),
             Mode::Palette => self.move_in_palette(by),
             Mode::Messages => self.messages.scroll.by(by),
+            Mode::Recovery => self.recovery.offers.scroll.by(by),
+            Mode::Conflict => self.conflicts.scroll.by(by),
             Mode::Compare => {
                 if let Some(view) = &mut self.compare {
                     view.scroll.by(by);
@@ -342,6 +385,11 @@ impl App {
                 self.close();
             }
             Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
+            Mode::Recovery => {
+                self.close();
+                self.say("kept for later: :recover shows them again");
+            }
+            Mode::Conflict => self.cancel_conflicts(),
             Mode::Leave => self.stay(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {

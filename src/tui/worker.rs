@@ -18,6 +18,7 @@ use super::backend::{Backend, BrokenDesign, NotSaved};
 use super::compare::CompareJob;
 use super::files::FileRequest;
 use super::message::Message;
+use super::recovery::{Keeper, Kept};
 use super::traces::Traces;
 use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
@@ -55,9 +56,20 @@ pub enum FileJob {
     /// Written only if the file still is as `expected`.
     Save {
         path: PathBuf,
-        expected: String,
+        expected: Option<Vec<u8>>,
         text: String,
     },
+    /// Whether somebody else has changed or opened the file.
+    Look {
+        path: PathBuf,
+        expected: String,
+    },
+    /// It is not open any more.
+    Release {
+        path: PathBuf,
+    },
+    /// What earlier runs have left.
+    Left,
     SaveVariant {
         original: PathBuf,
         name: VariantName,
@@ -141,16 +153,25 @@ pub fn perform_edited(
     }
 }
 
-/// Reads or writes a text.
-pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Message {
+/// Reads or writes a text, or looks after its file; nothing where there is nothing to be told.
+pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Option<Message> {
     let failed = |panic| format!("failed unexpectedly: {panic}");
-    match job {
+    Some(match job {
+        FileJob::Look { path, expected } => {
+            let look = guarded(|| backend.look(&path, &expected)).unwrap_or_default();
+            Message::Looked { path, look }
+        }
+        FileJob::Release { path } => {
+            let _ = guarded(|| backend.release(&path));
+            return None;
+        }
+        FileJob::Left => Message::Left(guarded(|| backend.left()).unwrap_or_default()),
         FileJob::Open { path } => {
             let result = guarded(|| backend.read(&path)).unwrap_or_else(|panic| Err(failed(panic)));
             Message::Opened { path, result }
         }
         FileJob::Save { path, expected, text } => {
-            let result = guarded(|| backend.save(&path, &expected, &text))
+            let result = guarded(|| backend.save(&path, expected.as_deref(), &text))
                 .unwrap_or_else(|panic| Err(NotSaved::Failed(failed(panic))));
             Message::Saved { path, text, result }
         }
@@ -159,7 +180,7 @@ pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Message {
                 .unwrap_or_else(|panic| Err(failed(panic)));
             Message::VariantSaved { original, result }
         }
-    }
+    })
 }
 
 /// The solution or why there is none; nothing if the observer ended it.
@@ -202,6 +223,7 @@ pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
 #[derive(Debug)]
 pub struct Worker {
     shared: Arc<Shared>,
+    keeper: Keeper,
 }
 
 #[derive(Debug, Default)]
@@ -264,7 +286,8 @@ impl Worker {
     ///
     /// The system's, if it allows no more threads.
     pub fn start(backend: Arc<dyn Backend>, sender: &Sender<Message>) -> std::io::Result<Self> {
-        let worker = Self { shared: Arc::default() };
+        let keeper = Keeper::start(Arc::clone(&backend), sender.clone())?;
+        let worker = Self { shared: Arc::default(), keeper };
         worker.spawn("selected", Arc::clone(&backend), sender, |queues| queues.selected.take())?;
         worker.spawn("changes", Arc::clone(&backend), sender, |queues| {
             queues.changes.pop_front().map(Task::ChangeFile)
@@ -303,7 +326,7 @@ impl Worker {
                     Task::SolveEdited(job) => {
                         perform_edited(&job, &*backend, &|| is_latest(job.ticket), &mut report);
                     }
-                    Task::File(job) => report(perform_file(job, &*backend)),
+                    Task::File(job) => perform_file(job, &*backend).into_iter().for_each(&mut report),
                     Task::List => {
                         if let Some(listed) = guarded(|| backend.list()).unwrap_or_else(|panic| Some(Err(panic))) {
                             report(Message::Listed(listed));
@@ -342,6 +365,11 @@ impl Worker {
     pub fn file(&self, job: FileJob) {
         self.shared.lock().files.push_back(job);
         self.shared.changed.notify_all();
+    }
+
+    /// Asks for unsaved edits to be kept, or no longer.
+    pub fn keep(&self, change: Kept) {
+        self.keeper.keep(change);
     }
 
     /// Asks for the rows of the library in this order, in place of what was still waiting.

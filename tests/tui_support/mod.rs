@@ -109,12 +109,13 @@ impl Backend for Shelf {
         self.texts.lock().unwrap().get(path).cloned().ok_or_else(|| "there is no such file".into())
     }
 
-    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
+    fn save(&self, path: &Path, expected: Option<&[u8]>, text: &str) -> Result<(), NotSaved> {
         let mut texts = self.texts.lock().unwrap();
-        match texts.get_mut(path) {
-            Some(saved) if saved == expected => text.clone_into(saved),
-            _ => return Err(NotSaved::Changed),
+        let now = texts.get(path).map(String::as_bytes);
+        if now != expected {
+            return Err(NotSaved::Changed(now.map(<[u8]>::to_vec)));
         }
+        texts.insert(path.into(), text.to_owned());
         Ok(())
     }
 
@@ -371,9 +372,10 @@ impl Screen {
                 }
             }
             if let Some(job) = file {
-                let message = worker::perform_file(job, &*self.backend);
-                let effects = self.app.update(message);
-                self.carry_out(effects);
+                if let Some(message) = worker::perform_file(job, &*self.backend) {
+                    let effects = self.app.update(message);
+                    self.carry_out(effects);
+                }
             }
         }
     }

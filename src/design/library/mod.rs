@@ -1,10 +1,19 @@
-//! Folders of designs, and the designs that come with the program.
+//! Folders of designs, the designs that come with the program, who has one open, and unsaved edits of earlier runs.
 
+mod journal;
+mod left;
+mod lock;
 mod name;
 mod trash;
 mod tree;
 mod variant;
 
+pub use journal::{
+    DISCARDED, Found, Journal, JournalError, Journals, discard as discard_journal, journals, recovery_folder,
+    remove as remove_journal, set_aside as set_journal_aside,
+};
+pub use left::{Left, LeftEdits, OnDisk, left_edits};
+pub use lock::{Holder, Locks, holder};
 pub use name::{NameError, VariantName};
 pub use trash::{TRASH, Trashed, delete, restore, trashed};
 pub use tree::{Branch, tree};

@@ -111,6 +111,11 @@ fn strip(name: &std::ffi::OsStr) -> Option<std::ffi::OsString> {
     Some(name.to_str()?.get(STAMP..)?.into())
 }
 
+/// A time as people read it: `2025-01-31 12:00:00`, UTC.
+pub(super) fn shown(time: SystemTime) -> String {
+    when(&moment::stamp(time))
+}
+
 /// A stamp as people read it.
 fn when(stamp: &str) -> String {
     let part = |range: std::ops::Range<usize>| stamp.get(range).unwrap_or_default();

@@ -13,6 +13,7 @@ use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding,
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
+use crate::tui::recovery::Look;
 
 /// A design with its edits, kept while the program runs.
 #[derive(Debug)]
@@ -36,6 +37,9 @@ pub struct Editing {
     pub notice: Option<Notice>,
     /// A text is on its way to the file.
     pub is_saving: bool,
+    /// What became of the file outside the program, as far as is known.
+    pub look: Look,
+    pub(in crate::tui) is_looking: bool,
     /// Where to look for each edit that can be undone, and redone.
     done: Vec<KeyPath>,
     undone: Vec<KeyPath>,
@@ -89,6 +93,8 @@ impl Editing {
             solving: Solving::default(),
             notice: None,
             is_saving: false,
+            look: Look::default(),
+            is_looking: false,
             done: Vec::new(),
             undone: Vec::new(),
         };
@@ -178,7 +184,7 @@ impl Editing {
     }
 
     /// Makes an edit. Where the cursor goes is left to the caller.
-    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
+    pub(in crate::tui) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
         let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
         if applied.changed {
             self.done.push(applied.focus.clone());
@@ -254,6 +260,8 @@ impl Editing {
             self.take_in_text();
         }
         self.path = path;
+        self.look = Look::default();
+        self.is_looking = false;
         self.layer = None;
         // what is under way would come for the other file
         self.solving.pending = None;

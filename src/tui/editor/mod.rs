@@ -69,6 +69,23 @@ impl Editors {
         self.all.iter_mut().find(|editing| editing.path == path)
     }
 
+    /// Those that are in sight, or not as their files are.
+    pub(super) fn in_use(&self) -> impl Iterator<Item = &Editing> {
+        let is_open = |editing: &Editing| self.open.as_deref() == Some(&*editing.path);
+        self.all.iter().filter(move |editing| is_open(editing) || editing.is_modified() || editing.is_saving)
+    }
+
+    /// Takes one out, to be [put](Self::put) back.
+    pub(super) fn take(&mut self, path: &Path) -> Option<Editing> {
+        let at = self.all.iter().position(|editing| editing.path == path)?;
+        Some(self.all.remove(at))
+    }
+
+    pub(super) fn put(&mut self, editing: Editing) {
+        self.forget(&editing.path);
+        self.all.push(editing);
+    }
+
     /// A design is no longer where it was.
     pub(super) fn forget(&mut self, path: &Path) {
         self.all.retain(|editing| editing.path != path);

@@ -8,6 +8,7 @@ use crate::tui::app::App;
 use crate::tui::backend::NotSaved;
 use crate::tui::keymap::Mode;
 use crate::tui::message::{Effect, Ending};
+use crate::tui::recovery::FileState;
 use crate::tui::worker::FileJob;
 
 impl App {
@@ -26,8 +27,8 @@ impl App {
             return Vec::new();
         }
         editing.is_saving = true;
-        let (path, expected) = (editing.path.clone(), editing.saved_text().to_owned());
-        vec![Effect::File(FileJob::Save { path, expected, text: editing.editor.text().to_owned() })]
+        let (path, expected) = (editing.path.clone(), editing.saved_text().as_bytes().to_vec());
+        vec![Effect::File(FileJob::Save { path, expected: Some(expected), text: editing.editor.text().to_owned() })]
     }
 
     pub(in crate::tui) fn saved(&mut self, path: &Path, text: String, result: Result<(), NotSaved>) -> Vec<Effect> {
@@ -37,6 +38,7 @@ impl App {
         match result {
             Ok(()) => {
                 editing.saved(text);
+                editing.look.state = FileState::Same;
                 let errors = editing.editor.reading().errors().count();
                 match errors {
                     0 => editing.say(format!("saved {name}")),
@@ -47,11 +49,14 @@ impl App {
                     (row.unsaved, row.stale) = (unsaved, true);
                 }
             }
+            Err(NotSaved::Changed(on_disk)) => {
+                editing.warn("not saved: the file has changed on disk");
+                editing.look.state = if on_disk.is_some() { FileState::Changed } else { FileState::Gone };
+                self.conflicting(path.to_path_buf(), on_disk);
+                return Vec::new();
+            }
             Err(error) => {
-                editing.warn(match &error {
-                    NotSaved::Changed => "not saved, changed on disk: S saves it as a variant".into(),
-                    NotSaved::Failed(error) => format!("not saved: {error}"),
-                });
+                editing.warn(format!("not saved: {error}"));
                 if self.editors.open().is_none_or(|editing| editing.path != path) {
                     self.complain(format!("{name} not saved: {error}"));
                 }
@@ -60,10 +65,7 @@ impl App {
             }
         }
         if self.editors.is_leaving || self.mode == Mode::Leave {
-            if self.editors.unsaved().next().is_none() {
-                return vec![Effect::Quit(Ending::Quit)];
-            }
-            return Vec::new();
+            return self.leave_if_saved().into_iter().collect();
         }
         self.fill().into_iter().collect()
     }

@@ -40,8 +40,7 @@ impl App {
             Ok(mut editing) => {
                 editing.solving.current = self.solution_at_hand(&path);
                 editing.keep_ghost();
-                self.editors.all.retain(|other| other.path != path);
-                self.editors.all.push(editing);
+                self.editors.put(editing);
                 self.show_editor(path)
             }
             Err(error) => {
@@ -61,7 +60,7 @@ impl App {
         Some(Solution { design, summary: (**summary).clone(), picture })
     }
 
-    fn show_editor(&mut self, path: PathBuf) -> Vec<Effect> {
+    pub(in crate::tui) fn show_editor(&mut self, path: PathBuf) -> Vec<Effect> {
         self.notice = None;
         self.editors.opening = None;
         self.editors.open = Some(path);
@@ -183,6 +182,7 @@ impl App {
             | Action::Suspend
             | Action::SaveAll
             | Action::DiscardAll
+            | Action::Recover
             | Action::Filter
             | Action::CycleMarker
             | Action::ToggleBackground
@@ -202,7 +202,7 @@ impl App {
     }
 
     /// The text may have changed.
-    pub(super) fn after_edit(&mut self) -> Vec<Effect> {
+    pub(in crate::tui) fn after_edit(&mut self) -> Vec<Effect> {
         self.follow_editor();
         let Some(editing) = self.editors.open() else { return Vec::new() };
         let is_typed = editing.input.is_some();

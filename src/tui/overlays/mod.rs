@@ -1,9 +1,12 @@
 //! What lies over a screen: windows that take the keys until they are closed.
 
+pub mod changes;
+pub mod conflict;
 pub mod form;
 pub mod help;
 pub mod messages;
 pub mod palette;
+pub mod recovery;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -29,6 +32,8 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             Mode::Confirm => form::render_question(app, area, buffer),
             Mode::Messages => messages::render(app, area, buffer),
             Mode::Leave => leave::render(app, area, buffer),
+            Mode::Recovery => recovery::render(app, area, buffer),
+            Mode::Conflict => conflict::render(app, area, buffer),
             // screens, and what the editor draws itself
             _ => {}
         }

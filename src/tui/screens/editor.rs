@@ -26,6 +26,7 @@ use crate::number::grouped;
 use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Layer, Place, Tab, Target};
+use crate::tui::recovery::FileState;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::side_view::{self, Element};
@@ -83,9 +84,23 @@ fn render_header(editing: &Editing, live: bool, theme: &Theme, area: Rect, buffe
         }
     };
     put(&name, theme.title);
+    for warning in warnings(editing) {
+        put(&printable(&warning), theme.error);
+    }
     put(&found, theme.warning);
     put(if live { "live" } else { "live off" }, if live { theme.faint } else { theme.warning });
     put(&undo, theme.faint);
+}
+
+/// What is not right with the file, as long as it is not.
+fn warnings(editing: &Editing) -> impl Iterator<Item = String> {
+    let state = match editing.look.state {
+        FileState::Same => None,
+        FileState::Changed => Some("changed on disk".to_owned()),
+        FileState::Gone => Some("file gone".to_owned()),
+    };
+    let also = editing.look.holder.as_ref().map(|holder| format!("also open: {holder}"));
+    state.into_iter().chain(also)
 }
 
 /// The table, with what lies over it, and the two panes below. Returns where the cursor stands.

@@ -30,12 +30,12 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         x = buffer.set_stringn(x, area.y, format!(" /{typed}"), usize::from(area.width), theme.title).0;
         cursor = Some(Position::new(x.min(area.right() - 1), area.y));
         x = (x + 2).min(area.right());
-    } else if let Some(notice) = &app.notice {
+    } else if let Some(notice) = app.shown_notice() {
         let text = printable(&notice.text);
         let room = usize::from(area.width) * 3 / 4;
         let (text, style) = match notice.kind {
             NoticeKind::Done => (format!(" {}", cut(&text, room, ellipsis)), theme.title),
-            NoticeKind::Failed | NoticeKind::NotListed => {
+            NoticeKind::Failed | NoticeKind::NotListed | NoticeKind::Standing => {
                 (format!(" {} {}", theme.glyphs.broken, cut(&text, room, ellipsis)), theme.error)
             }
         };
