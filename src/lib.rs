@@ -55,6 +55,8 @@
 //! - Who reads a file while it is saved sees the old one or the new one (`tests/design_saving.rs`).
 //! - No `unwrap` and no `panic!` outside tests (`tests/invariants.rs`, and the lints in `Cargo.toml`).
 //! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
+//! - A frame is one synchronized update; where nothing has changed, nothing is written (`tests/tui_line.rs`,
+//!   `tests/terminal_jobs.rs`). With `--ascii` no byte beyond 127 is (`tests/terminal_jobs.rs`).
 
 pub mod agreement;
 pub mod commands;

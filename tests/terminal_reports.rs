@@ -131,9 +131,9 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     terminal.press("2");
     terminal.wait_for_text("[2 bearings]");
     terminal.press("lc0.0555\r");
-    terminal.wait_for_text(" *");
+    terminal.wait_for_text("a * ");
     terminal.press("s");
-    terminal.wait_for_text("saved");
+    terminal.wait_for("the design to be saved", |screen| !screen.contents().contains("a * "));
     terminal.signal("TERM");
     assert_eq!(terminal.wait(LONG).exit_code(), 128 + 15);
     let log = std::fs::read_to_string(log).unwrap();

@@ -159,17 +159,18 @@ fn assert_shows(shown: &vt100::Screen, screen: &Screen, when: &str) {
             if cell.is_wide_continuation() {
                 continue;
             }
-            let place = format!("{when}: column {column} of row {row}: {drawn:?} shown as {cell:?}\n{}", screen.text());
+            let place =
+                || format!("{when}: column {column}, row {row}: {drawn:?} shown as {cell:?}\n{}", screen.text());
             let text = if cell.has_contents() { cell.contents() } else { " " };
-            assert_eq!(text, drawn.symbol(), "{place}");
-            assert_eq!(cell.inverse(), drawn.modifier.contains(Modifier::REVERSED), "{place}");
-            assert_eq!(cell.bgcolor(), as_shown(drawn.bg), "{place}");
+            assert_eq!(text, drawn.symbol(), "{}", place());
+            assert_eq!(cell.inverse(), drawn.modifier.contains(Modifier::REVERSED), "{}", place());
+            assert_eq!(cell.bgcolor(), as_shown(drawn.bg), "{}", place());
             if text != " " {
-                assert_eq!(cell.fgcolor(), as_shown(drawn.fg), "{place}");
+                assert_eq!(cell.fgcolor(), as_shown(drawn.fg), "{}", place());
                 // this terminal knows one weight at a time
                 let [bold, dim] = [Modifier::BOLD, Modifier::DIM].map(|weight| drawn.modifier.contains(weight));
-                assert_eq!(cell.bold() || cell.dim(), bold || dim, "{place}");
-                assert!(bold && dim || cell.bold() == bold, "{place}");
+                assert_eq!(cell.bold() || cell.dim(), bold || dim, "{}", place());
+                assert!(bold && dim || cell.bold() == bold, "{}", place());
             }
         }
     }

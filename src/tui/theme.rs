@@ -1,8 +1,7 @@
 //! Colours and characters.
 //!
-//! State never hangs on colour: what a style says, a character says too. The monochrome theme is chosen here, and not
-//! left to crossterm: with `NO_COLOR` set, crossterm 0.29 writes an empty colour command in place of each colour, which
-//! is a full reset and takes the reverse video of the selected row with it.
+//! State never hangs on colour: what a style says, a character says too. Without colours there is a theme of its own, which
+//! tells the selected row by reverse video.
 
 use ratatui::style::{Modifier, Style};
 
