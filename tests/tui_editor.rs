@@ -301,7 +301,11 @@ fn saving_writes_the_text_and_never_over_what_someone_else_wrote() {
     assert!(screen.text().lines().next().unwrap().contains('*'));
     shelf.texts.lock().unwrap().insert(paths(&["overhung-elastic"])[0].clone(), "# mine\n".into());
     screen.keys("s");
-    assert!(screen.text().contains("changed on disk") && screen.text().contains("S saves"), "{}", screen.text());
+    assert!(
+        screen.text().contains("changed on disk") && screen.text().contains("save these edits as a variant"),
+        "{}",
+        screen.text()
+    );
     assert_eq!(shelf.text("overhung-elastic").unwrap(), "# mine\n");
 }
 

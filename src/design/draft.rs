@@ -95,12 +95,7 @@ pub(super) fn clear_stale(folder: &Path) {
         if !name.starts_with(START) || !name.ends_with(END) {
             continue;
         }
-        let Ok(metadata) = fs::symlink_metadata(entry.path()).and_then(|metadata| match metadata.is_file() {
-            true => Ok(metadata),
-            false => Err(io::ErrorKind::InvalidInput.into()),
-        }) else {
-            continue;
-        };
+        let Some(metadata) = fs::symlink_metadata(entry.path()).ok().filter(Metadata::is_file) else { continue };
         let age = metadata.modified().ok().and_then(|then| SystemTime::now().duration_since(then).ok());
         let age = age.unwrap_or_default();
         let is_stale = age > YOUNG

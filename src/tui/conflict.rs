@@ -1,7 +1,7 @@
 //! Saving where somebody else has changed the file: what they did, what is to be saved, and which of both is to stay.
 
 use std::collections::VecDeque;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::app::{App, Scroll};
 use super::editor::{Form, Layer};
@@ -64,9 +64,9 @@ impl Conflict {
 
 impl App {
     /// A design was not saved because its file holds something else.
-    pub(super) fn conflicting(&mut self, path: PathBuf, on_disk: Option<Vec<u8>>) {
-        let Some(editing) = self.editors.get(&path) else { return };
-        let conflict = Conflict::new(path.clone(), editing.saved_text(), editing.editor.text(), on_disk);
+    pub(super) fn conflicting(&mut self, path: &Path, on_disk: Option<Vec<u8>>) {
+        let Some(editing) = self.editors.get(path) else { return };
+        let conflict = Conflict::new(path.into(), editing.saved_text(), editing.editor.text(), on_disk);
         self.conflicts.waiting.retain(|other| other.path != path);
         self.conflicts.waiting.push_back(conflict);
         if self.mode != Mode::Conflict {
@@ -117,6 +117,10 @@ impl App {
             (row.unsaved, row.stale) = (false, true);
         }
         let mut effects = self.after_edit();
+        // another file is in its place, to be locked
+        if self.editors.open().is_some_and(|open| open.path == path) {
+            effects.extend(self.look(path));
+        }
         effects.extend(self.leave_if_saved());
         effects
     }

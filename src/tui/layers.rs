@@ -58,7 +58,11 @@ impl App {
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
             Action::NextOffer => self.recovery.offers.all.len() > 1,
             Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),
-            Action::Quit if self.mode == Mode::Leave || self.mode.is_typing() => false,
+            Action::Quit
+                if matches!(self.mode, Mode::Leave | Mode::Recovery | Mode::Conflict) || self.mode.is_typing() =>
+            {
+                false
+            }
             // everyone knows, and there is much to say
             Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,
             _ if !self.below.is_empty() => true,

@@ -29,6 +29,7 @@ mod copy;
 pub mod editor;
 pub mod effects;
 pub mod facts;
+pub mod file_jobs;
 pub mod files;
 pub mod fuzzy;
 pub mod help;

@@ -77,20 +77,8 @@ impl App {
             }
             Message::Saved { path, text, result } => self.saved(&path, text, result),
             Message::VariantSaved { original, result } => self.variant_saved(&original, result),
-            Message::Looked { path, look } => {
-                self.looked(&path, look);
-                Vec::new()
-            }
-            Message::Left(left) => {
-                self.take_in_left(left);
-                Vec::new()
-            }
-            Message::Protected(result) => {
-                self.protected(result);
-                Vec::new()
-            }
-            Message::NotTidied(error) => {
-                self.complain(error);
+            message @ (Message::Looked { .. } | Message::Left(_) | Message::Protected(_) | Message::NotTidied(_)) => {
+                self.hear_of_recovery(message);
                 Vec::new()
             }
             Message::Listed(Ok(paths)) => {
@@ -287,22 +275,14 @@ impl App {
             Action::Quit => self.quit(),
             Action::OpenEditor => self.open_editor(),
             Action::SaveAll => self.save_all(),
-            Action::DiscardAll => {
-                let mut effects = self.discard_all();
-                effects.push(Effect::Quit(Ending::Quit));
-                effects
-            }
-            Action::Recover => self.ask_for_offers(),
-            Action::TakeEdits => self.take_offer(false),
-            Action::DiscardEdits => self.discard_offer(),
-            Action::NextOffer => {
-                self.next_offer();
-                Vec::new()
-            }
-            Action::KeepMine => self.keep_mine(),
-            Action::TakeTheirs => self.take_theirs(),
-            Action::SaveVariant if self.mode == Mode::Recovery => self.take_offer(true),
-            Action::SaveVariant => self.conflict_to_variant(),
+            Action::DiscardAll
+            | Action::Recover
+            | Action::TakeEdits
+            | Action::DiscardEdits
+            | Action::NextOffer
+            | Action::KeepMine
+            | Action::TakeTheirs
+            | Action::SaveVariant => self.answer(action),
             Action::CycleMarker | Action::ToggleBackground => self.change_looks(action),
             Action::Copy | Action::CopyPath => self.copy(action),
             // the rest is the editor's

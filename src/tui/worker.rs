@@ -14,8 +14,9 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::backend::{Backend, BrokenDesign, NotSaved};
+use super::backend::{Backend, BrokenDesign};
 use super::compare::CompareJob;
+pub use super::file_jobs::{FileJob, perform_file};
 use super::files::FileRequest;
 use super::message::Message;
 use super::recovery::{Keeper, Kept};
@@ -24,7 +25,6 @@ use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
 use crate::crash;
 use crate::design::Design;
-use crate::design::library::VariantName;
 
 /// Numbers the requests: of two results for the same thing, the one with the higher ticket counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -45,37 +45,6 @@ pub struct EditedJob {
     pub ticket: Ticket,
     pub path: PathBuf,
     pub design: Arc<Design>,
-}
-
-/// A text to be read or written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FileJob {
-    Open {
-        path: PathBuf,
-    },
-    /// Written only if the file still is as `expected`.
-    Save {
-        path: PathBuf,
-        expected: Option<Vec<u8>>,
-        text: String,
-    },
-    /// Whether somebody else has changed or opened the file.
-    Look {
-        path: PathBuf,
-        expected: String,
-    },
-    /// It is not open any more.
-    Release {
-        path: PathBuf,
-    },
-    /// What earlier runs have left.
-    Left,
-    SaveVariant {
-        original: PathBuf,
-        name: VariantName,
-        text: String,
-        note: Option<String>,
-    },
 }
 
 /// What the library and the header say about a solved design.
@@ -151,36 +120,6 @@ pub fn perform_edited(
     if let Some(result) = solve(&design, backend, true, &mut observer) {
         report(Message::SolvedEdited { ticket, path, result });
     }
-}
-
-/// Reads or writes a text, or looks after its file; nothing where there is nothing to be told.
-pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Option<Message> {
-    let failed = |panic| format!("failed unexpectedly: {panic}");
-    Some(match job {
-        FileJob::Look { path, expected } => {
-            let look = guarded(|| backend.look(&path, &expected)).unwrap_or_default();
-            Message::Looked { path, look }
-        }
-        FileJob::Release { path } => {
-            let _ = guarded(|| backend.release(&path));
-            return None;
-        }
-        FileJob::Left => Message::Left(guarded(|| backend.left()).unwrap_or_default()),
-        FileJob::Open { path } => {
-            let result = guarded(|| backend.read(&path)).unwrap_or_else(|panic| Err(failed(panic)));
-            Message::Opened { path, result }
-        }
-        FileJob::Save { path, expected, text } => {
-            let result = guarded(|| backend.save(&path, expected.as_deref(), &text))
-                .unwrap_or_else(|panic| Err(NotSaved::Failed(failed(panic))));
-            Message::Saved { path, text, result }
-        }
-        FileJob::SaveVariant { original, name, text, note } => {
-            let result = guarded(|| backend.save_variant(&original, &name, &text, note.as_deref()))
-                .unwrap_or_else(|panic| Err(failed(panic)));
-            Message::VariantSaved { original, result }
-        }
-    })
 }
 
 /// The solution or why there is none; nothing if the observer ended it.

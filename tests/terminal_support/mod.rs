@@ -19,6 +19,8 @@ use crate::tui_support::{STEMS, paths};
 
 /// Set in the program under test.
 pub const CHILD: &str = "BEVELSCOPE_TEST_CHILD";
+/// Nobody's unsaved edits are offered to the program.
+const STATE: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/terminal-state");
 /// Longer than anything takes.
 pub const LONG: Duration = Duration::from_secs(20);
 
@@ -77,7 +79,10 @@ impl Terminal {
         let size = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
         let pair = native_pty_system().openpty(size).unwrap();
         command.env_clear();
-        for (name, value) in [(CHILD, "1"), ("TERM", "xterm-256color"), ("LANG", "C.UTF-8")].iter().chain(environment) {
+        for (name, value) in [(CHILD, "1"), ("TERM", "xterm-256color"), ("LANG", "C.UTF-8"), ("XDG_STATE_HOME", STATE)]
+            .iter()
+            .chain(environment)
+        {
             command.env(name, value);
         }
         let child = pair.slave.spawn_command(command).unwrap();

@@ -10,7 +10,7 @@ use std::time::Duration;
 use bevelscope::agreement::Agreement;
 use bevelscope::comparison::{Comparison, Observer, SolveError, Spectrum, compare_over};
 use bevelscope::design::Side;
-use bevelscope::design::library::{SHIPPED, VariantName};
+use bevelscope::design::library::{Left, SHIPPED, VariantName};
 use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
     Hold, Mesh, MeshVectors, RotorDesign, Segment,
@@ -21,6 +21,7 @@ use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
+use bevelscope::tui::recovery::{FileState, Kept, Look};
 use bevelscope::tui::worker::{self, EditedJob, Job};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, NotSaved, view};
 use num_complex::Complex64;
@@ -65,12 +66,18 @@ impl Backend for MadeUp {
 #[derive(Debug, Default, Clone)]
 pub struct Shelf {
     pub texts: Arc<Mutex<BTreeMap<PathBuf, String>>>,
+    /// What was asked to be kept, in order.
+    pub kept: Arc<Mutex<Vec<Kept>>>,
+    /// What an earlier run has left.
+    pub left: Arc<Mutex<Left>>,
+    /// Who else has the designs open.
+    pub holder: Arc<Mutex<Option<String>>>,
 }
 
 impl Shelf {
     pub fn new(files: &[(&str, &str)]) -> Self {
         let texts = files.iter().map(|(stem, text)| (paths(&[stem])[0].clone(), (*text).to_owned())).collect();
-        Self { texts: Arc::new(Mutex::new(texts)) }
+        Self { texts: Arc::new(Mutex::new(texts)), ..Self::default() }
     }
 
     /// The designs that come with the program.
@@ -117,6 +124,24 @@ impl Backend for Shelf {
         }
         texts.insert(path.into(), text.to_owned());
         Ok(())
+    }
+
+    fn keep(&self, change: &Kept) -> Result<(), String> {
+        self.kept.lock().unwrap().push(change.clone());
+        Ok(())
+    }
+
+    fn left(&self) -> Left {
+        self.left.lock().unwrap().clone()
+    }
+
+    fn look(&self, path: &Path, expected: &str) -> Look {
+        let state = match self.texts.lock().unwrap().get(path) {
+            Some(text) if text == expected => FileState::Same,
+            Some(_) => FileState::Changed,
+            None => FileState::Gone,
+        };
+        Look { state, holder: self.holder.lock().unwrap().clone() }
     }
 
     fn save_variant(
@@ -356,6 +381,9 @@ impl Screen {
                 _ => Vec::new(),
             };
             let edited = if let Effect::SolveEdited(job) = &effect { Some(job.clone()) } else { None };
+            if let Effect::Keep(change) = &effect {
+                self.backend.keep(change).unwrap();
+            }
             let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
@@ -371,11 +399,9 @@ impl Screen {
                     self.perform_edited(job);
                 }
             }
-            if let Some(job) = file {
-                if let Some(message) = worker::perform_file(job, &*self.backend) {
-                    let effects = self.app.update(message);
-                    self.carry_out(effects);
-                }
+            if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
+                let effects = self.app.update(message);
+                self.carry_out(effects);
             }
         }
     }

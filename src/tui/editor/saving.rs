@@ -52,7 +52,7 @@ impl App {
             Err(NotSaved::Changed(on_disk)) => {
                 editing.warn("not saved: the file has changed on disk");
                 editing.look.state = if on_disk.is_some() { FileState::Changed } else { FileState::Gone };
-                self.conflicting(path.to_path_buf(), on_disk);
+                self.conflicting(path, on_disk);
                 return Vec::new();
             }
             Err(error) => {

@@ -33,7 +33,7 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let take = match &offer.theirs {
         None => "take: open the tables with them, not saved yet",
         Some(Theirs::Changed(_)) => "open anyway: as edits over the file as it is now, not saved yet",
-        Some(Theirs::Gone) => "take as a new file: open the tables with them, not saved yet",
+        Some(Theirs::Gone) => "take: open the tables with them; saving makes the file",
         Some(Theirs::Unreadable(_)) => "open anyway: over the file as it was, not saved yet",
     };
     let mut choices = vec![

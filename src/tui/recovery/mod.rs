@@ -8,6 +8,7 @@
 //! What is to be kept follows from the texts after each message and is never asked for by what changed them, so that no way to
 //! edit can be forgotten.
 
+mod answers;
 mod keeper;
 mod offers;
 mod protect;

@@ -1,6 +1,6 @@
 //! What earlier runs have left: taken, put aside, or offered again.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use super::Kept;
 use crate::design::library::{Left, LeftEdits, OnDisk};
@@ -71,12 +71,12 @@ impl Offer {
 
 impl App {
     /// Looks for what earlier runs have left, because the user wants to know.
-    pub(in crate::tui) fn ask_for_offers(&mut self) -> Vec<Effect> {
+    pub(super) fn ask_for_offers(&mut self) -> Vec<Effect> {
         self.recovery.asked = true;
         vec![Effect::File(FileJob::Left)]
     }
 
-    pub(in crate::tui) fn take_in_left(&mut self, left: Left) {
+    pub(super) fn take_in_left(&mut self, left: Left) {
         let asked = std::mem::take(&mut self.recovery.asked);
         if self.mode == Mode::Recovery {
             return;
@@ -86,7 +86,7 @@ impl App {
         if !left.damaged.is_empty() {
             let count = left.damaged.len();
             let journals = if count == 1 { "a recovery journal" } else { "recovery journals" };
-            self.complain_at_length(format!("{journals} cannot be used: ! says why"), left.damaged.join("\n"));
+            self.complain_at_length(format!("{journals} cannot be used: :messages says why"), left.damaged.join("\n"));
         } else if elsewhere > 0 {
             let designs = if elsewhere == 1 { "a design" } else { "designs" };
             let paths: Vec<String> =
@@ -97,7 +97,7 @@ impl App {
             );
             self.say_at_length(
                 format!(
-                    "unsaved edits of {elsewhere} {designs} elsewhere: ! says of which",
+                    "unsaved edits of {elsewhere} {designs} elsewhere: :messages says of which",
                     designs = if elsewhere == 1 { "design" } else { "designs" }
                 ),
                 full,
@@ -119,7 +119,7 @@ impl App {
         }
     }
 
-    pub(in crate::tui) fn next_offer(&mut self) {
+    pub(super) fn next_offer(&mut self) {
         let offers = &mut self.recovery.offers;
         offers.at = (offers.at + 1) % offers.all.len().max(1);
         offers.scroll = Scroll::default();
@@ -137,14 +137,14 @@ impl App {
         Some(offer)
     }
 
-    pub(in crate::tui) fn discard_offer(&mut self) -> Vec<Effect> {
+    pub(super) fn discard_offer(&mut self) -> Vec<Effect> {
         let Some(offer) = self.answer_offer() else { return Vec::new() };
         self.say(format!("put aside the edits of {}", offer.stem));
         vec![Effect::Keep(Kept::Unwanted { journal: offer.left.journal })]
     }
 
     /// Opens the tables with the edits as one step over the file as it is now; what is unsaved there already stays below it.
-    pub(in crate::tui) fn take_offer(&mut self, as_variant: bool) -> Vec<Effect> {
+    pub(super) fn take_offer(&mut self, as_variant: bool) -> Vec<Effect> {
         let Some(offer) = self.recovery.offers.present().cloned() else { return Vec::new() };
         let LeftEdits { journal, path, base, text, on_disk, .. } = offer.left;
         let mut editing = match self.take_editing(&path, &base, &on_disk) {
@@ -166,7 +166,7 @@ impl App {
         match offer.theirs {
             None => editing.say("recovered edits, not saved yet"),
             Some(Theirs::Changed(_)) => {
-                editing.warn("recovered edits over a file that has changed since: look before saving")
+                editing.warn("recovered edits over a file that has changed since: look before saving");
             }
             Some(Theirs::Gone) => editing.warn("recovered edits; the file is gone: saving will ask"),
             Some(Theirs::Unreadable(reason)) => editing.warn(format!("recovered edits; of the file: {reason}")),
@@ -191,12 +191,14 @@ impl App {
     }
 
     /// The tables of the file as it is now, or of what the edits began with where it cannot be shown in tables.
-    fn take_editing(&mut self, path: &PathBuf, base: &str, on_disk: &OnDisk) -> Result<Editing, String> {
+    fn take_editing(&mut self, path: &Path, base: &str, on_disk: &OnDisk) -> Result<Editing, String> {
+        let is_as_now = |editing: &Editing| matches!(on_disk, OnDisk::Text(text) if text == editing.saved_text());
         let there = self.editors.take(path);
-        if let Some(editing) = there.filter(|editing| editing.is_modified() || editing.is_saving) {
+        if let Some(editing) = there.filter(|editing| is_as_now(editing) || editing.is_modified() || editing.is_saving)
+        {
             return Ok(editing);
         }
-        let new = |text: &str| Editing::new(path.clone(), text.to_owned()).map_err(|error| error.to_string());
+        let new = |text: &str| Editing::new(path.into(), text.to_owned()).map_err(|error| error.to_string());
         match on_disk {
             OnDisk::Text(text) => new(text).or_else(|_| new(base)),
             OnDisk::Gone | OnDisk::Unreadable(_) => new(base),
@@ -204,6 +206,6 @@ impl App {
     }
 }
 
-fn file_stem(path: &std::path::Path) -> String {
+fn file_stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }

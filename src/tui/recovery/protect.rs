@@ -51,7 +51,7 @@ impl App {
     }
 
     /// Asks what has become of the file, unless the answer is on its way.
-    fn look(&mut self, path: PathBuf) -> Option<Effect> {
+    pub(in crate::tui) fn look(&mut self, path: PathBuf) -> Option<Effect> {
         let editing = self.editors.get_mut(&path)?;
         if editing.is_saving || std::mem::replace(&mut editing.is_looking, true) {
             return None;
@@ -60,7 +60,7 @@ impl App {
         Some(Effect::File(FileJob::Look { path, expected }))
     }
 
-    pub(in crate::tui) fn looked(&mut self, path: &Path, look: Look) {
+    pub(super) fn looked(&mut self, path: &Path, look: Look) {
         let Some(editing) = self.editors.get_mut(path) else { return };
         editing.is_looking = false;
         let before = std::mem::replace(&mut editing.look, look);
@@ -70,7 +70,7 @@ impl App {
                     format!("{holder} has this design open as well: what is saved last would win, so saving asks");
                 editing.warn(text);
             }
-            (Some(holder), None) => editing.say(format!("{holder} no longer has this design open")),
+            (Some(holder), None) => editing.say(format!("the design is held here now, no longer by {holder}")),
             _ => {}
         }
         if before.state != editing.look.state {
@@ -83,13 +83,13 @@ impl App {
     }
 
     /// The edits that are not saved are not wanted.
-    pub(in crate::tui) fn discard_all(&mut self) -> Vec<Effect> {
+    pub(super) fn discard_all(&mut self) -> Vec<Effect> {
         self.recovery.is_over = true;
         let kept = std::mem::take(&mut self.recovery.kept);
         kept.into_keys().map(|path| Effect::Keep(Kept::Discarded { path })).collect()
     }
 
-    pub(in crate::tui) fn protected(&mut self, result: Result<(), String>) {
+    pub(super) fn protected(&mut self, result: Result<(), String>) {
         let before = self.recovery.unprotected.take();
         match result {
             Ok(()) if before.is_some() => self.say("unsaved edits are protected again"),

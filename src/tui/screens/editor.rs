@@ -26,13 +26,12 @@ use crate::number::grouped;
 use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Layer, Place, Tab, Target};
-use crate::tui::recovery::FileState;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::side_view::{self, Element};
 use crate::tui::widgets::{
-    cell_input, choice, difference_strip, figures, findings, footer, matrix, plot, spectrum, table, tabs, text_pane,
-    variant_form,
+    cell_input, choice, difference_strip, editor_header, figures, findings, footer, matrix, plot, spectrum, table,
+    tabs, text_pane, variant_form,
 };
 
 /// The lowest pane that shows a spectrum.
@@ -50,7 +49,7 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let mut cursor = None;
     let (theme, live) = (app.theme, app.editors.live);
     if let Some(editing) = app.editors.open_mut() {
-        render_header(editing, live, &theme, row(0, 1), buffer);
+        editor_header::render(editing, live, &theme, row(0, 1), buffer);
         tabs::render(editing.tab, &theme, row(1, 1), buffer);
         cursor = render_body(editing, live, &theme, body, buffer);
         render_figures(editing, &theme, row(last - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
@@ -58,49 +57,6 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     }
     footer::render(app, row(last, 1), buffer);
     cursor
-}
-
-/// The design, its findings, whether edits are solved, and what would be undone.
-fn render_header(editing: &Editing, live: bool, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    const PROGRAM: &str = " bevelscope  ";
-    let (width, ellipsis) = (usize::from(area.width), theme.glyphs.ellipsis);
-    let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
-    let star = if editing.is_modified() { " *" } else { "" };
-    let count = editing.findings().len();
-    let found = match count {
-        0 => String::new(),
-        1 => "1 finding (f)".into(),
-        _ => format!("{count} findings (f)"),
-    };
-    let undo = editing.editor.undo_name().map_or(String::new(), |name| format!("u: {}", printable(name.as_str())));
-    let left = width.saturating_sub(PROGRAM.width());
-    let name = cut(&printable(&stem), (left / 2).min(30), ellipsis) + star;
-    let mut x = buffer.set_stringn(area.x, area.y, PROGRAM, width, theme.key).0;
-    let mut put = |text: &str, style: Style| {
-        if !text.is_empty() {
-            let room = usize::from(area.right().saturating_sub(x));
-            let text = cut(text, room.saturating_sub(1), ellipsis);
-            x = (buffer.set_stringn(x, area.y, text, room, style).0 + 3).min(area.right());
-        }
-    };
-    put(&name, theme.title);
-    for warning in warnings(editing) {
-        put(&printable(&warning), theme.error);
-    }
-    put(&found, theme.warning);
-    put(if live { "live" } else { "live off" }, if live { theme.faint } else { theme.warning });
-    put(&undo, theme.faint);
-}
-
-/// What is not right with the file, as long as it is not.
-fn warnings(editing: &Editing) -> impl Iterator<Item = String> {
-    let state = match editing.look.state {
-        FileState::Same => None,
-        FileState::Changed => Some("changed on disk".to_owned()),
-        FileState::Gone => Some("file gone".to_owned()),
-    };
-    let also = editing.look.holder.as_ref().map(|holder| format!("also open: {holder}"));
-    state.into_iter().chain(also)
 }
 
 /// The table, with what lies over it, and the two panes below. Returns where the cursor stands.

@@ -4,6 +4,7 @@ pub mod canvas;
 pub mod cell_input;
 pub mod choice;
 pub mod difference_strip;
+pub mod editor_header;
 pub mod figures;
 pub mod findings;
 pub mod footer;

@@ -49,13 +49,9 @@ impl Journals {
             base: base.into(),
             text: text.into(),
         };
-        let path = match self.own.get(design) {
-            Some((path, _)) => path.clone(),
-            None => {
-                let name = hash(journal.design.as_os_str().as_encoded_bytes());
-                self.folder.join(format!("{name}-{}.{ENDING}", self.process))
-            }
-        };
+        let name = hash(journal.design.as_os_str().as_encoded_bytes());
+        let new = || self.folder.join(format!("{name}-{}.{ENDING}", self.process));
+        let path = self.own.get(design).map_or_else(new, |(path, _)| path.clone());
         // locked before it has its name: at no moment does it look left behind
         let draft = Draft::write_private(&path, &journal.encode())?;
         let renamed = fs::rename(draft.path(), &path);
