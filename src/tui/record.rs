@@ -14,7 +14,11 @@ pub(super) fn record(message: &Message) {
 
 fn line(message: &Message) -> Option<String> {
     let line = match message {
-        Message::Key(_) | Message::Paste(_) | Message::Progress { .. } | Message::Listed(Ok(_)) => return None,
+        Message::Key(_)
+        | Message::Paste(_)
+        | Message::Progress { .. }
+        | Message::Looked { .. }
+        | Message::Listed(Ok(_)) => return None,
         Message::Resized => "the terminal has another size".into(),
         Message::Loaded { path, result, .. } => match result {
             Ok(_) => format!("read {}", path.display()),
@@ -38,7 +42,6 @@ fn line(message: &Message) -> Option<String> {
             Ok((path, _)) => format!("saved {} as a variant of {}", path.display(), original.display()),
             Err(error) => format!("cannot save a variant of {}: {error}", original.display()),
         },
-        Message::Looked { .. } => return None,
         Message::Left(left) if left.edits.is_empty() && left.damaged.is_empty() => return None,
         Message::Left(left) => {
             format!(
