@@ -50,11 +50,12 @@ fn the_table_fits_80_columns_and_nothing_in_it_steers_a_terminal() {
 
 #[test]
 fn what_was_found_out_stands_with_its_reason() {
+    type Variables<'a> = &'a [(&'a str, &'a str)];
     let home = tempfile::tempdir().unwrap();
     let terminal = |arguments: &[&str], environment: &[(&str, &str)], key: &str| {
         json(home.path(), arguments, environment)["terminal"][key].as_str().unwrap().to_owned()
     };
-    let cases: [(&[(&str, &str)], &str, &str); 10] = [
+    let cases: [(Variables, &str, &str); 10] = [
         (&[("TERM", "xterm-256color")], "colours", "256: TERM says so"),
         (&[("TERM", "xterm-256color"), ("NO_COLOR", "1")], "colours", "none: NO_COLOR is set"),
         (&[("COLORTERM", "truecolor")], "colours", "16 million: COLORTERM says so"),

@@ -1,5 +1,7 @@
 //! How things are drawn: every marker, and colours that can be read on any background.
 
+#![allow(clippy::panic, reason = "a helper of tests")]
+
 mod tui_support;
 
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
