@@ -24,7 +24,8 @@
 //! | [`report`] | results as tables, CSV and JSON | |
 //! | [`commands`] | the command line, one file a subcommand | |
 //! | [`tui`] | the terminal explorer | |
-//! | [`units`], [`text`] | quantities at the edges; foreign text made harmless | |
+//! | [`log`], [`crash`] | what happened, for `--log`; the report of a mistake in the program | |
+//! | [`units`], [`text`], [`moment`] | quantities and times at the edges; foreign text made harmless | |
 //!
 //! ```
 //! use bevelscope::{comparison::compare, design::{library::SHIPPED, read}};
@@ -56,12 +57,17 @@
 //! - What somebody else has saved is never overwritten unseen (`tests/tui_recovery.rs`, `tests/recovery_journal.rs`).
 //! - No `unwrap` and no `panic!` outside tests (`tests/invariants.rs`, and the lints in `Cargo.toml`).
 //! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
+//! - A frame is one synchronized update; where nothing has changed, nothing is written (`tests/tui_line.rs`,
+//!   `tests/terminal_jobs.rs`). With `--ascii` no byte beyond 127 is (`tests/terminal_jobs.rs`).
 
 pub mod agreement;
 pub mod commands;
 pub mod comparison;
+pub mod crash;
 pub mod design;
+pub mod log;
 pub mod model;
+pub mod moment;
 pub mod number;
 pub mod report;
 pub mod response;

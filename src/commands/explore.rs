@@ -12,9 +12,11 @@ use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
 use crate::text::printable;
+use crate::tui::facts;
 use crate::tui::files::{FileDone, FileRequest, Followed};
 use crate::tui::recovery::{Kept, Look};
 use crate::tui::{self, Backend, BrokenDesign, LoadedDesign, NotSaved};
+use crate::{crash, log};
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -26,6 +28,9 @@ pub struct Args {
     ascii: bool,
     #[command(flatten)]
     keys: KeysArg,
+    /// Add what happens to a log file, a line each with the time: for bug reports
+    #[arg(long, value_name = "FILE")]
+    log: Option<PathBuf>,
 }
 
 pub fn run(args: &Args) -> Result<(), CommandError> {
@@ -37,6 +42,19 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
     if let Some(missing) = paths.iter().find(|path| !path.exists()) {
         return Err(CommandError::Usage(no_such(missing)));
     }
+    let log = args.log.as_deref().map(log::open).transpose().map_err(|error| CommandError::Usage(error.to_string()))?;
+    let terminal = facts::facts(args.ascii, |name| std::env::var(name).ok());
+    crash::describe_terminal(facts::as_text(&terminal));
+    if log.is_some() {
+        log::write(format_args!("start of bevelscope {}, {}", env!("CARGO_PKG_VERSION"), super::doctor::platform()));
+        facts::as_text(&terminal).lines().for_each(log::write);
+    }
+    let ended = explore(args, paths);
+    log::write(ended.as_ref().map_or_else(|error| format!("end: {error}"), |()| "end".into()));
+    ended
+}
+
+fn explore(args: &Args, paths: Vec<PathBuf>) -> Result<(), CommandError> {
     let shown_as: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
     let (keys, keys_report) = args.keys.for_explorer()?;
     let options = tui::Options { ascii: args.ascii, keys, keys_report };

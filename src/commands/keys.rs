@@ -40,6 +40,11 @@ struct Read {
 }
 
 impl KeysArg {
+    /// The file that was named.
+    pub fn named(&self) -> Option<PathBuf> {
+        self.file.clone()
+    }
+
     /// The file meant: the one that is named, else the user's, if it is there.
     fn path(&self) -> Option<PathBuf> {
         self.file.clone().or_else(|| {

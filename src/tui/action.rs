@@ -154,6 +154,10 @@ actions! {
     Reread, "reread", Program, "read the folder and the designs again", hint 6 "reread";
     Redraw, "redraw", Program, "draw the whole screen again";
     Suspend, "suspend", Program, "suspend; fg in the shell comes back";
+    CycleMarker, "cycle-marker", Program, "curves of braille, blocks, dots or ASCII";
+    ToggleBackground, "toggle-background", Program, "colours for a dark or for a light background";
+    Copy, "copy", Program, "copy what the cursor is on through the terminal: figures, cell, differences or text";
+    CopyPath, "copy-path", Program, "copy the path of the design through the terminal";
     Palette, "palette", Program, "all actions by name", hint 5 "commands";
     Messages, "messages", Program, "all messages in full, the latest first";
     Help, "help", Program, "this help", hint 5 "help";

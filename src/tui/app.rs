@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::backend::LoadedDesign;
 use super::caps::Capabilities;
+use super::clipboard::Route;
 use super::compare::CompareView;
 use super::conflict::Conflicts;
 use super::editor::Editors;
@@ -46,6 +47,8 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    /// How a copied text gets to the terminal.
+    pub clipboard: Route,
     pub recovery: Recovery,
     pub conflicts: Conflicts,
     pub(super) tickets: Ticket,
@@ -165,6 +168,7 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),
             tickets: Ticket::default(),

@@ -25,7 +25,9 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::Compare(job) => worker.compare(job),
             Effect::CancelCompare => worker.cancel_compare(),
             Effect::Redraw => session.clear()?,
+            Effect::Copy(bytes) => session.send(&bytes)?,
             Effect::Suspend => session.suspend()?,
+            Effect::TakeAgain => session.take_again()?,
             Effect::Quit(ending) => return Ok(Some(ending)),
         }
     }

@@ -152,7 +152,7 @@ impl App {
 
 fn marks(theme: &Theme) -> Vec<HelpLine> {
     let glyphs = theme.glyphs;
-    let [fe, enhanced, basic] = glyphs.samples;
+    let [fe, enhanced, basic] = theme.marker.samples();
     let entry = |mark: &str, text: &str| HelpLine::Entry { keys: mark.into(), text: text.into(), name: "" };
     vec![
         entry(fe, "mesh force of the finite element model"),

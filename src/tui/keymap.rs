@@ -171,10 +171,15 @@ const COMMANDS: &[Mode] =
     &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
+/// Where there is a picture.
+const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
 const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 const RECOVERY: &[Mode] = &[Mode::Recovery];
 const CONFLICT: &[Mode] = &[Mode::Conflict];
 const VARIANTS: &[Mode] = &[Mode::Table, Mode::Recovery, Mode::Conflict];
+
+/// Actions that have no key of their own, and where they can be used all the same.
+const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -304,6 +309,8 @@ pub const BINDINGS: &[Binding] = &[
     letter(PANES, 'R', Action::Reread),
     control(ALL, 'l', Action::Redraw),
     control(ALL, 'z', Action::Suspend),
+    letter(PICTURES, 'b', Action::CycleMarker),
+    letter(ROWS, 'y', Action::Copy),
     letter(COMMANDS, ':', Action::Palette),
     letter(PANES, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
@@ -314,7 +321,9 @@ pub const BINDINGS: &[Binding] = &[
 
 /// Whether an action can be used in a mode.
 pub fn is_known(mode: Mode, action: Action) -> bool {
-    BINDINGS.iter().any(|binding| binding.action == action && binding.modes.contains(&mode))
+    let here = |modes: &[Mode], other: Action| other == action && modes.contains(&mode);
+    BINDINGS.iter().any(|binding| here(binding.modes, binding.action))
+        || WITHOUT_KEY.iter().any(|(action, modes)| here(modes, *action))
 }
 
 #[cfg(test)]
@@ -333,6 +342,11 @@ mod tests {
             assert!(!["none", "all"].contains(&about.name), "{about:?}");
             let modes: Vec<Mode> = Mode::ALL.into_iter().filter(|mode| is_known(*mode, about.action)).collect();
             assert!(!modes.is_empty(), "{} can be used nowhere", about.name);
+            // what has no key is in the palette, which must be there
+            for mode in modes {
+                let has_key = !Keys::default().of(mode, about.action, false).is_empty();
+                assert!(has_key || is_known(mode, Action::Palette), "no way to {} in {mode:?}", about.name);
+            }
         }
     }
 

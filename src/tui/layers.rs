@@ -6,6 +6,7 @@ use super::conflict::Conflict;
 use super::editor::{Editing, Layer};
 use super::keymap::Mode;
 use super::message::Effect;
+use crate::crash;
 use crate::design::grid::{CellKind, Shape};
 
 impl App {
@@ -32,6 +33,7 @@ impl App {
 
     /// What a key or the palette asks for: of the editor first, if it is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
+        crash::remember(self.mode.name(), action.name());
         match self.act_in_editor(action) {
             Some(effects) => effects,
             None => self.act(action),

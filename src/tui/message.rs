@@ -81,6 +81,10 @@ pub enum Message {
         ticket: Ticket,
         result: Box<Compared>,
     },
+    /// The system asks the program to stop until it is continued.
+    Suspend,
+    /// The program was stopped, without being asked, and goes on.
+    Continued,
     /// The system asks the program to end.
     Signal(i32),
     /// The terminal is gone.
@@ -112,7 +116,11 @@ pub enum Effect {
     CancelCompare,
     /// Draw all of the screen, whatever the terminal shows.
     Redraw,
+    /// Hand a text to the terminal: these bytes, as they are.
+    Copy(Vec<u8>),
     Suspend,
+    /// Take the terminal over again, whatever state it is in.
+    TakeAgain,
     Quit(Ending),
 }
 

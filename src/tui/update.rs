@@ -31,7 +31,8 @@ impl App {
         match message {
             Message::Key(event) => self.key(event),
             Message::Paste(text) => self.paste(&text),
-            Message::Resized => Vec::new(),
+            // it may have had another size in between, and shows what that left
+            Message::Resized => vec![Effect::Redraw],
             Message::Loaded { ticket, path, result } => {
                 if let Some(row) = self.library.row_mut(&path).filter(|row| ticket >= row.ticket) {
                     row.ticket = ticket;
@@ -97,6 +98,8 @@ impl App {
                 self.compared(ticket, *result);
                 Vec::new()
             }
+            Message::Suspend => vec![Effect::Suspend],
+            Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
             Message::TerminalGone => vec![Effect::Quit(Ending::TerminalGone)],
         }
@@ -270,6 +273,8 @@ impl App {
             | Action::KeepMine
             | Action::TakeTheirs
             | Action::SaveVariant => self.answer(action),
+            Action::CycleMarker | Action::ToggleBackground => self.change_looks(action),
+            Action::Copy | Action::CopyPath => self.copy(action),
             // the rest is about what is typed, or the editor's
             _ => TextField::edit_of(action).map_or(Vec::new(), |edit| self.edit(edit)),
         }

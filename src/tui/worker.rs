@@ -23,6 +23,7 @@ use super::recovery::{Keeper, Kept};
 use super::traces::Traces;
 use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
+use crate::crash;
 use crate::design::Design;
 
 /// Numbers the requests: of two results for the same thing, the one with the higher ticket counts.
@@ -151,7 +152,7 @@ fn solve(
 }
 
 pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
+    catch_unwind(AssertUnwindSafe(|| crash::caught(work))).map_err(|payload| {
         let text = payload.downcast_ref::<String>().cloned();
         text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_else(|| "no message".into())
     })

@@ -88,11 +88,7 @@ pub fn default_folder() -> Result<PathBuf, LibraryError> {
 ///
 /// As [`default_folder`].
 pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<PathBuf, LibraryError> {
-    let here = current.join("designs");
-    if here.is_dir() {
-        return Ok(here);
-    }
-    let folder = data.ok_or(LibraryError::NoDataFolder)?.join("bevelscope").join("designs");
+    let folder = default_place(current, data).ok_or(LibraryError::NoDataFolder)?;
     if folder.is_dir() {
         return Ok(folder);
     }
@@ -100,6 +96,12 @@ pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<PathBuf,
         Ok(()) => Ok(folder),
         Err(source) => Err(LibraryError::Fill { folder, source }),
     }
+}
+
+/// Where [`default_folder_in`] is or would be.
+pub fn default_place(current: &Path, data: Option<&Path>) -> Option<PathBuf> {
+    let here = current.join("designs");
+    if here.is_dir() { Some(here) } else { data.map(|data| data.join("bevelscope").join("designs")) }
 }
 
 /// Writes the shipped designs beside the folder first and renames it as a whole, so there is never half a library, and

@@ -202,6 +202,10 @@ impl App {
             | Action::DiscardAll
             | Action::Recover
             | Action::Filter
+            | Action::CycleMarker
+            | Action::ToggleBackground
+            | Action::Copy
+            | Action::CopyPath
             | Action::Reread => return None,
             _ => match mode {
                 Mode::Cell => act_on_input(editing, action),

@@ -20,7 +20,6 @@ use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
 use crate::tui::library::RowState;
-use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::{difference_strip, figures, footer, header, library, plot, side_view, spectrum, text_pane};
 
@@ -91,7 +90,7 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let strip_height = (inner.height * 3 / 10).clamp(3, 7) | 1;
     let upper = Rect { height: inner.height.saturating_sub(strip_height + 1), ..inner };
     let strip = Rect { y: upper.bottom() + 1, height: strip_height, ..inner };
-    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (dots, _) = theme.marker.dots();
     picture.prepare(usize::from(plot::curve_width(inner)), dots);
     spectrum::render(picture, summary.enhanced.agreement_limit_hz, &theme, upper, buffer);
     panel::divider(area, buffer, upper.bottom(), &difference_strip::title(&theme), &theme);

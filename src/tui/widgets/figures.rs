@@ -75,6 +75,16 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
     }
 }
 
+/// Both agreements in a line, to be pasted somewhere.
+pub fn sentence(summary: &Summary) -> String {
+    let of = |name: &str, agreement: &Agreement| {
+        let Agreement { rms_db, frac, max_db, max_at_hz, .. } = agreement;
+        let worst = format!("at worst {:.1} dB at {} Hz", max_db.abs(), grouped(*max_at_hz));
+        format!("{name}: {}, {rms_db:.2} dB RMS, FRAC {frac:.2}, {worst}", limit(agreement))
+    };
+    format!("{}; {}", of("enhanced", &summary.enhanced), of("basic", &summary.basic))
+}
+
 fn short_limit(agreement: &Agreement) -> String {
     if agreement.agreement_limit_hz > 0.0 { grouped(agreement.agreement_limit_hz) } else { "nowhere".into() }
 }

@@ -10,7 +10,6 @@ use crate::tui::app::Scroll;
 use crate::tui::editor::Editing;
 use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
-use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::{difference_strip, figures, findings, plot, spectrum, text_pane};
 
@@ -54,7 +53,7 @@ pub fn render(editing: &mut Editing, live: bool, keys: &KeyNames<'_>, theme: &Th
     let strip_height = if inner.height >= 18 { (inner.height * 3 / 10).clamp(3, 7) | 1 } else { 0 };
     let upper =
         Rect { height: inner.height.saturating_sub(if strip_height > 0 { strip_height + 1 } else { 0 }), ..inner };
-    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (dots, _) = theme.marker.dots();
     let width = usize::from(plot::curve_width(inner));
     solution.picture.prepare(width, dots);
     let axis = solution.picture.traces.axis;
