@@ -360,7 +360,10 @@ fn child_panics() {
 fn edits_survive_a_panic() {
     let folder = tempfile::tempdir().unwrap();
     let mut command = Command::new(std::env::current_exe().unwrap());
-    command.args(["--exact", "child_panics", "--ignored", "--test-threads=1"]).env(CHILD, folder.path());
+    command
+        .args(["--exact", "child_panics", "--ignored", "--test-threads=1"])
+        .env(CHILD, folder.path())
+        .env("RUST_BACKTRACE", "0");
     let status = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap();
     assert!(!status.success());
     let found = journals(&folder.path().join("recovery"));

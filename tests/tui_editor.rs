@@ -458,6 +458,10 @@ fn go(screen: &mut Screen, row: usize, column: usize) {
 
 /// Changes what is under the cursor by keys, sees it in the text, and takes it back.
 fn change(screen: &mut Screen, cell: &Cell) {
+    // the number of the format can be no other
+    if matches!(cell.kind, CellKind::Whole(low, high) if low == high) {
+        return;
+    }
     let before = editing(screen).editor.text().to_owned();
     let new = another(cell);
     let keys = match cell.kind {

@@ -3,6 +3,7 @@
 //! The finite element model and both lumped models end up as the same small struct [`Model`]; damping, excitation and response are
 //! written once for all of them.
 
+mod caveat;
 mod fe;
 mod lumped;
 mod mesh;
@@ -10,6 +11,7 @@ mod mesh;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
+pub use caveat::{Caveat, CaveatKind};
 pub use lumped::LumpedMass;
 pub use mesh::mesh_vector;
 
@@ -174,6 +176,11 @@ pub struct Rotors {
 pub struct RotorsError(pub Vec<(Side, RotorError)>);
 
 fn sentences(errors: &[(Side, RotorError)]) -> String {
+    if let [(_, pinion), (_, gear)] = errors
+        && pinion == gear
+    {
+        return format!("both shafts: {pinion}");
+    }
     let sentence = |(side, error): &(Side, RotorError)| format!("{} shaft: {error}", side.name());
     errors.iter().map(sentence).collect::<Vec<_>>().join("; ")
 }
@@ -190,6 +197,11 @@ impl Rotors {
                 Err(RotorsError(errors.into_iter().filter_map(|(side, error)| Some((side, error?))).collect()))
             }
         }
+    }
+
+    /// What the enhanced model rests on besides the first bending modes.
+    pub fn caveats(&self) -> Vec<Caveat> {
+        caveat::of(self)
     }
 
     pub fn get(&self, side: Side) -> &Rotor {

@@ -127,6 +127,7 @@ mod tests {
         field.left();
         field.delete_before();
         assert_eq!(field.text(), "Übr");
+        field.end();
         field.insert("m\nq");
         assert_eq!(field.text(), "Übrm");
         field.left();

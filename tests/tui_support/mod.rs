@@ -201,6 +201,7 @@ pub fn comparison(design: &Design) -> Comparison {
             if design.name.contains("rigid") { 3364.0 } else { 2997.0 },
         ),
         basic_agreement: agreement(10.13, 31.0, 4980.0, 0.12, 236.0),
+        caveats: Vec::new(),
     }
 }
 

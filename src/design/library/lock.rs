@@ -161,7 +161,7 @@ fn holder_of(_: &File) -> Holder {
 #[cfg(target_os = "linux")]
 fn process_in(locks: &str, device: u64, inode: u64) -> Option<u32> {
     let (major, minor) = ((device >> 8) & 0xfff, (device & 0xff) | ((device >> 12) & 0xf_ff00));
-    let mut found = locks.lines().filter_map(|line| {
+    let found = locks.lines().filter_map(|line| {
         let words: Vec<&str> = line.split_whitespace().collect();
         let [_, "FLOCK", "ADVISORY", "WRITE", process, file, ..] = words[..] else { return None };
         let mut parts = file.rsplitn(2, ':');
@@ -169,9 +169,9 @@ fn process_in(locks: &str, device: u64, inode: u64) -> Option<u32> {
         let is_here = parts.next()? == format!("{major:02x}:{minor:02x}");
         Some((is_here, process.parse().ok().filter(|process| *process > 0)?))
     });
-    let first = found.next()?;
-    let best = std::iter::once(first).chain(found).max_by_key(|(is_here, _)| *is_here);
-    best.map(|(_, process)| process)
+    let found: Vec<(bool, u32)> = found.collect();
+    let best = found.iter().find(|(is_here, _)| *is_here).or(found.first());
+    best.map(|(_, process)| *process)
 }
 
 #[cfg(target_os = "linux")]
