@@ -118,6 +118,11 @@ impl Editing {
         &self.saved
     }
 
+    /// What that text says; nothing if it has errors.
+    pub(super) fn saved_design(&self) -> Option<&Arc<Design>> {
+        self.saved_design.as_ref()
+    }
+
     pub fn findings(&self) -> &[Finding] {
         &self.editor.reading().findings
     }

@@ -13,6 +13,7 @@ mod editing;
 mod form;
 mod keys;
 mod line;
+mod outside;
 mod rows;
 mod saving;
 mod solving;

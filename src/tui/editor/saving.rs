@@ -44,7 +44,7 @@ impl App {
                 }
                 let unsaved = editing.is_modified();
                 if let Some(row) = self.library.row_mut(path) {
-                    (row.unsaved, row.stale) = (unsaved, true);
+                    row.unsaved = unsaved;
                 }
             }
             Err(error) => {
@@ -65,7 +65,9 @@ impl App {
             }
             return Vec::new();
         }
-        self.fill().into_iter().collect()
+        let mut effects = self.show_saved(path);
+        effects.extend(self.fill());
+        effects
     }
 
     pub(super) fn save_form(&mut self) -> Vec<Effect> {
