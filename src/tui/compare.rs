@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
+use super::action::Action;
 use super::app::{App, Scroll};
 use super::axis::FrequencyAxis;
 use super::backend::Backend;
@@ -161,16 +162,14 @@ impl App {
             return self.say(format!("{stem} is no longer marked"));
         }
         self.library.mark(Some(path));
-        let compare = self.keys.of(Mode::Library, super::action::Action::Compare, true).into_iter().next();
-        let compare = compare.unwrap_or_else(|| ":compare".into());
+        let compare = self.keys.names(Mode::Library, true).of(Action::Compare);
         self.say(format!("{stem} is marked; select another and press {compare}"));
     }
 
     pub(super) fn open_compare(&mut self) -> Vec<Effect> {
         let Some(selected) = self.library.selected() else { return Vec::new() };
         let Some(other) = self.compared_with(selected) else {
-            let mark = self.keys.of(Mode::Library, super::action::Action::Mark, true).into_iter().next();
-            let mark = mark.unwrap_or_else(|| ":mark".into());
+            let mark = self.keys.names(Mode::Library, true).of(Action::Mark);
             self.complain(format!("mark another design with {mark} first, then come back to this one"));
             return Vec::new();
         };

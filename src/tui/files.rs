@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::action::Action;
 use super::app::App;
 use super::keymap::Mode;
 use super::library::Row;
@@ -229,10 +230,8 @@ impl App {
                 self.library.want(to);
             }
             FileDone::Deleted { path, trashed } => {
-                let key = self.keys.of(Mode::Library, super::action::Action::RestoreDeleted, true).into_iter().next();
-                let how =
-                    key.map_or_else(|| ":restore-deleted brings it back".into(), |key| format!("{key} brings it back"));
-                self.say(format!("deleted {}; {how}", stem(&path)));
+                let key = self.keys.names(Mode::Library, true).of(Action::RestoreDeleted);
+                self.say(format!("deleted {}; {key} brings it back", stem(&path)));
                 self.editors.forget(&path);
                 self.deleted.push(trashed);
             }

@@ -107,7 +107,7 @@ impl Editing {
                 }
             }
             CellKind::Flags(_) => self.edit_cell(false),
-            _ => self.say("this cell is typed into: Enter"),
+            _ => self.say("this cell has no words to choose from: a value is typed into it"),
         }
     }
 

@@ -108,11 +108,13 @@ impl App {
 
     fn solve_edited(&mut self, asked: bool) -> Vec<Effect> {
         let ticket = self.ticket();
+        let list = self.keys.names(Mode::Table, self.theme.glyphs.ascii).of(Action::Findings);
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
         let Some(design) = editing.design.clone() else {
             if asked {
                 let errors = editing.editor.reading().errors().count();
-                editing.warn(format!("not solved: {errors} {} in the design (f lists them)", plural(errors, "error")));
+                let word = plural(errors, "error");
+                editing.warn(format!("not solved: {errors} {word} in the design ({list} lists them)"));
             }
             return self.drop_outdated();
         };
@@ -155,6 +157,7 @@ impl App {
             return None;
         }
         let mode = self.mode;
+        let solve = self.keys.names(mode, self.theme.glyphs.ascii).of(Action::Solve);
         let editing = self.editors.open_mut()?;
         editing.notice = None;
         match action {
@@ -172,7 +175,7 @@ impl App {
                     editing.say("nothing is being solved");
                     return Some(Vec::new());
                 }
-                editing.say("stopped solving: = starts again");
+                editing.say(format!("stopped solving: {solve} starts again"));
                 return Some(self.drop_outdated());
             }
             Action::Help
@@ -236,7 +239,9 @@ impl App {
 
     fn toggle_live(&mut self) -> Vec<Effect> {
         self.editors.live = !self.editors.live;
-        let text = if self.editors.live { "each edit is solved" } else { "live solving off: = solves" };
+        let solve = self.keys.names(self.mode, self.theme.glyphs.ascii).of(Action::Solve);
+        let text =
+            if self.editors.live { "each edit is solved".into() } else { format!("live solving off: {solve} solves") };
         if let Some(editing) = self.editors.open_mut() {
             editing.say(text);
         }

@@ -2,6 +2,7 @@
 
 use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
 use crate::design::{Editor, KeyPath, Side, Step};
+use crate::tui::action::Action;
 
 /// The tables of a design, as the number keys show them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,6 +39,20 @@ impl Tab {
             Self::Analysis => "analysis",
             Self::Materials => "materials",
             Self::Design => "design",
+        }
+    }
+
+    /// What shows it.
+    pub fn action(self) -> Action {
+        match self {
+            Self::Segments => Action::Segments,
+            Self::Bearings => Action::Bearings,
+            Self::Bodies => Action::Bodies,
+            Self::Mesh => Action::Mesh,
+            Self::Drives => Action::Drives,
+            Self::Analysis => Action::Analysis,
+            Self::Materials => Action::Materials,
+            Self::Design => Action::Design,
         }
     }
 

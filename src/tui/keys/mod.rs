@@ -58,6 +58,11 @@ impl Keys {
         bound.map(|bound| bound.key.shown(ascii)).collect()
     }
 
+    /// The names of the keys in a mode, for texts.
+    pub fn names(&self, mode: Mode, ascii: bool) -> KeyNames<'_> {
+        KeyNames { keys: self, mode, ascii }
+    }
+
     /// The keys of an action in any of the modes, each once.
     pub fn anywhere(&self, modes: &[Mode], action: Action, ascii: bool) -> Vec<String> {
         let mut keys: Vec<String> = Vec::new();
@@ -72,5 +77,25 @@ impl Keys {
     /// All keys.
     pub fn bound(&self) -> &[Bound] {
         &self.bound
+    }
+}
+
+/// What texts call the keys of a mode.
+#[derive(Debug, Clone, Copy)]
+pub struct KeyNames<'a> {
+    keys: &'a Keys,
+    mode: Mode,
+    ascii: bool,
+}
+
+impl KeyNames<'_> {
+    /// The first key of an action, if it has one.
+    pub fn key(&self, action: Action) -> Option<String> {
+        self.keys.of(self.mode, action, self.ascii).into_iter().next()
+    }
+
+    /// The first key of an action, or how the palette finds it.
+    pub fn of(&self, action: Action) -> String {
+        self.key(action).unwrap_or_else(|| format!(":{}", action.name()))
     }
 }

@@ -50,8 +50,7 @@ pub fn render_question(app: &App, area: Rect, buffer: &mut Buffer) {
     let row = app.library.row(path);
     let stem = Row::new(path.clone()).stem;
     let ascii = theme.glyphs.ascii;
-    let back = app.keys.of(Mode::Library, Action::RestoreDeleted, ascii).into_iter().next();
-    let back = back.unwrap_or_else(|| format!(":{}", Action::RestoreDeleted.name()));
+    let back = app.keys.names(Mode::Library, ascii).of(Action::RestoreDeleted);
     let variants = match row.map_or(0, |row| app.library.variants(row)) {
         0 => String::new(),
         1 => "\n1 variant names it as its parent.".into(),

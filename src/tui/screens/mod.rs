@@ -7,6 +7,7 @@ pub mod explorer;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::action::Action;
 use super::app::App;
 use super::widgets::figures;
 
@@ -27,8 +28,10 @@ pub fn body(area: Rect) -> Rect {
 /// Says how large the terminal must be.
 pub fn render_too_small(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = format!(
-        "bevelscope needs {MIN_WIDTH}x{MIN_HEIGHT} characters, this terminal has {}x{} (q quits)",
-        area.width, area.height
+        "bevelscope needs {MIN_WIDTH}x{MIN_HEIGHT} characters, this terminal has {}x{} ({} quits)",
+        area.width,
+        area.height,
+        app.keys.names(app.mode, true).of(Action::Quit)
     );
     let lines = crate::text::wrap(&text, usize::from(area.width));
     for (line, y) in lines.iter().zip(area.top()..area.bottom()) {

@@ -6,23 +6,26 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use unicode_width::UnicodeWidthStr;
 
 use crate::tui::editor::Tab;
+use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 
 /// Draws a line with all tables; names are shortened where there is little room.
-pub fn render(now: Tab, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn render(now: Tab, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
     let line = |longest: usize| -> Vec<(String, bool)> {
-        let tabs = Tab::ALL.into_iter().enumerate().map(|(at, tab)| {
+        let tabs = Tab::ALL.into_iter().map(|tab| {
             let title = tab.title();
             let title = if tab == now { title } else { &title[..title.len().min(longest)] };
-            (format!("{} {title}", at + 1), tab == now)
+            let key = keys.key(tab.action()).map_or(String::new(), |key| format!("{key} "));
+            (format!("{key}{title}"), tab == now)
         });
         tabs.collect()
     };
     // each has a place in front of it, and the last one behind
-    let needed = |tabs: &[(String, bool)]| tabs.iter().map(|(text, _)| text.len() + 1).sum::<usize>() + 1;
+    let needed = |tabs: &[(String, bool)]| tabs.iter().map(|(text, _)| text.width() + 1).sum::<usize>() + 1;
     let lines = [usize::MAX, 4, 3, 0].map(line);
     let Some(tabs) = lines.iter().find(|tabs| needed(tabs) <= width).or(lines.last()) else { return };
     let mut x = area.x;
