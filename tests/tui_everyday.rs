@@ -5,6 +5,7 @@ mod tui_support;
 
 use bevelscope::tui::caps::Capabilities;
 use bevelscope::tui::editor::Editing;
+use bevelscope::tui::message::{Effect, Ending, Message};
 use tui_support::{Screen, Shelf, UNICODE};
 
 /// The shipped designs, the first one selected.
@@ -62,4 +63,102 @@ fn a_design_saved_with_errors_has_no_figures_in_the_library() {
     let text = screen.text();
     assert!(!text.contains("trust up to"), "{text}");
     assert!(text.contains("cannot be read"), "{text}");
+}
+
+/// The second design with its first pinion bearing no longer holding z: nothing keeps the shaft from tilting.
+fn unsolvable(width: u16, height: u16) -> Screen {
+    let (mut screen, _) = library(width, height, UNICODE);
+    screen.keys("je<F2>");
+    let row = screen.app.editors.open().unwrap().view.columns.iter().position(|column| column.key == "hold").unwrap();
+    screen.keys(&"l".repeat(row)).keys("<Enter>jj <Enter>");
+    screen
+}
+
+#[test]
+fn a_design_that_cannot_be_solved_is_a_finding_with_its_whole_text() {
+    let mut screen = unsolvable(80, 24);
+    let text = screen.text();
+    assert!(text.contains("1 finding (f)") && text.contains("(f: in full)"), "{text}");
+    // all of it over the spectra of the last state
+    assert!(text.contains("nothing holds it") && text.contains("krx_n_m_per_rad"), "{text}");
+    screen.keys("f");
+    let text = screen.text();
+    assert!(text.contains("cannot be solved: pinion shaft: nothing holds it"), "{text}");
+    assert!(text.contains("krx_n_m_per_rad"), "{text}");
+    screen.keys("<F1><Enter>");
+    assert_eq!((editing(&screen).title().as_str(), editing(&screen).layer.is_none()), ("pinion bearings", true));
+    screen.keys("s");
+    assert!(screen.text().contains("with 1 error"), "{}", screen.text());
+    screen.keys("!");
+    assert!(screen.text().contains("saved overhung-rigid.toml, with 1 error"), "{}", screen.text());
+    // undone, and it is solved again
+    screen.keys("<Esc>u");
+    assert!(!screen.text().contains("finding"), "{}", screen.text());
+}
+
+#[test]
+fn what_is_not_solved_is_not_called_faultless() {
+    let (mut screen, _) = opened(80, 24);
+    screen.keys("Lc60<Enter>f");
+    assert!(screen.text().contains("Whether it can be solved is"), "{}", screen.text());
+}
+
+#[test]
+fn nothing_is_done_to_what_a_small_terminal_does_not_show() {
+    let (mut screen, shelf) = opened(80, 24);
+    let saved = shelf.text("overhung-elastic").unwrap();
+    screen.resize(50, 12);
+    assert!(screen.text().contains("(q quits)"), "{}", screen.text());
+    screen.effects.clear();
+    screen.keys("Dsc60<Enter>s");
+    screen.send(Message::Paste("60".into()));
+    assert!(screen.effects.is_empty() && !editing(&screen).is_modified(), "{:?}", screen.effects);
+    assert_eq!(shelf.text("overhung-elastic").unwrap(), saved);
+    // the question about edits is asked where it can be read, and only there
+    screen.resize(80, 24);
+    screen.keys("c60<Enter>");
+    screen.resize(50, 12);
+    screen.keys("q");
+    let text = screen.text().replace('\n', " ");
+    assert!(text.contains("1 design has unsaved edits") && text.contains("d: discard"), "{text}");
+    screen.resize(30, 3);
+    screen.keys("ds");
+    assert!(!screen.effects.contains(&Effect::Quit(Ending::Quit)));
+    screen.resize(50, 12);
+    screen.keys("<Esc>");
+    assert!(editing(&screen).is_modified() && screen.text().contains("(q quits)"), "{}", screen.text());
+    screen.keys("qd");
+    assert!(screen.effects.contains(&Effect::Quit(Ending::Quit)));
+    assert_eq!(shelf.text("overhung-elastic").unwrap(), saved);
+}
+
+#[test]
+fn a_row_passes_its_twin() {
+    let (mut screen, shelf) = opened(80, 24);
+    let before = shelf.text("overhung-elastic").unwrap();
+    screen.keys("jY");
+    assert_eq!(editing(&screen).cursor().row, 2);
+    screen.keys("K");
+    assert_eq!(editing(&screen).cursor().row, 1);
+    assert!(screen.text().contains("moved"), "{}", screen.text());
+    screen.keys("K");
+    assert_eq!(editing(&screen).cursor().row, 0);
+    screen.keys("uu");
+    assert_eq!(editing(&screen).editor.text(), before);
+}
+
+#[test]
+fn a_model_says_what_it_has_no_place_for() {
+    let (mut screen, _) = opened(80, 24);
+    // diagonal, matrix with a coupling, rigid
+    screen.keys("<F2>lll ");
+    assert!(!screen.text().contains("has no place"), "{}", screen.text());
+    screen.keys("l<Enter>l1e8<Enter><Esc>h ");
+    assert!(screen.text().contains("rigid has no place for 6 stiffnesses"), "{}", screen.text());
+    screen.keys("u");
+    assert!(editing(&screen).editor.text().contains("1e8"));
+    let column = editing(&screen).view.columns.iter().position(|column| column.key == "model").unwrap();
+    assert_eq!(editing(&screen).cursor().column, column);
+    screen.keys("<Enter>kk<Enter>");
+    assert!(screen.text().contains("diagonal has no place for 1 stiffness"), "{}", screen.text());
 }

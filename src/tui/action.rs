@@ -115,7 +115,7 @@ actions! {
     ClearText, "clear-text", Typing, "delete all letters before the cursor", hint 2 "clear";
     Accept, "accept", Program, "do what is asked or chosen", hint 0 "accept";
     OpenEditor, "edit-design", Edit, "open the tables of the design", hint 1 "edit";
-    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; - + . 0 9 begin a number", hint 0 "edit";
+    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; digits and - + . begin a number", hint 0 "edit";
     ReplaceCell, "replace-cell", Edit, "type in place of the value";
     CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
     ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";

@@ -45,6 +45,8 @@ pub struct App {
     pub compare: Option<CompareView>,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
+    /// The terminal is too small to show what the keys would act on.
+    pub(super) is_unseen: bool,
 }
 
 /// The right side: what is known of the selected design.
@@ -161,6 +163,7 @@ impl App {
             compare: None,
             tickets: Ticket::default(),
             view_moved: false,
+            is_unseen: false,
         }
     }
 

@@ -53,7 +53,7 @@ impl Messages {
         self.all.iter().rev().map(|text| text.trim_end()).collect::<Vec<_>>().join("\n\n")
     }
 
-    fn keep(&mut self, text: String) {
+    pub(super) fn keep(&mut self, text: String) {
         if self.all.len() == MOST {
             self.all.remove(0);
         }

@@ -20,6 +20,12 @@ use super::worker::{Solved, Ticket};
 impl App {
     /// Takes in one message.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
+        let effects = self.take_in(message);
+        self.keep_notice_of_editor();
+        effects
+    }
+
+    fn take_in(&mut self, message: Message) -> Vec<Effect> {
         match message {
             Message::Key(event) => self.key(event),
             Message::Paste(text) => self.paste(&text),
@@ -128,8 +134,13 @@ impl App {
         if event.kind == KeyEventKind::Release {
             return Vec::new();
         }
+        let action = self.keys.action(self.mode, event);
+        // nothing is done to what cannot be seen
+        if self.is_unseen && !matches!(action, Some(Action::Quit | Action::Suspend | Action::Redraw)) {
+            return Vec::new();
+        }
         self.clear_notice();
-        if let Some(action) = self.keys.action(self.mode, event) {
+        if let Some(action) = action {
             return self.run(action);
         }
         match event.code {
@@ -167,6 +178,9 @@ impl App {
 
     /// Text from the clipboard is text and never keys: a `q` in it does not quit.
     fn paste(&mut self, text: &str) -> Vec<Effect> {
+        if self.is_unseen {
+            return Vec::new();
+        }
         let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
         self.type_text(&line)
     }

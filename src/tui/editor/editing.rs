@@ -9,7 +9,9 @@ use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
 use super::view::{Place, Tab, View};
 use crate::design::grid::{Cell, Shown};
-use crate::design::{Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Side, Spelled};
+use crate::design::{
+    Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Severity, Side, Spelled,
+};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
@@ -125,6 +127,28 @@ impl Editing {
 
     pub fn findings(&self) -> &[Finding] {
         &self.editor.reading().findings
+    }
+
+    /// All that is wrong or unusual: the findings, and last why the design cannot be solved.
+    pub fn problems(&self) -> Vec<Finding> {
+        let refusal = self.design.as_ref().and_then(|design| self.solving.failure(design));
+        let refusal = refusal.map(|reason| Finding {
+            severity: Severity::Error,
+            // what is not held lacks a bearing
+            key_path: Side::BOTH
+                .into_iter()
+                .find(|side| reason.starts_with(side.name()))
+                .map_or(String::new(), |side| format!("{}.bearing", side.name())),
+            span: None,
+            message: format!("cannot be solved: {reason}"),
+            hint: None,
+        });
+        self.findings().iter().cloned().chain(refusal).collect()
+    }
+
+    /// How many of these are errors.
+    pub fn errors(&self) -> usize {
+        self.problems().iter().filter(|finding| finding.severity == Severity::Error).count()
     }
 
     /// `pinion bearings`, `materials`

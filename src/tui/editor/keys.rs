@@ -111,7 +111,7 @@ pub(super) fn act_on_choice(editing: &mut Editing, action: Action) {
 }
 
 pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
-    let count = editing.findings().len();
+    let problems = editing.problems();
     let Some(Layer::Findings(list)) = &mut editing.layer else { return };
     let page = list.scroll.page();
     let by = match action {
@@ -123,7 +123,7 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         Action::Last => isize::MAX,
         Action::GoToFinding => {
             let cursor = list.cursor;
-            let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
+            let path = problems.get(cursor).map(|finding| finding.key_path.clone());
             match path.as_deref().map(str::parse::<KeyPath>) {
                 Some(Ok(path)) => editing.go_to(&path),
                 Some(Err(_)) => editing.say("this one is about the whole file"),
@@ -133,7 +133,7 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         }
         _ => return,
     };
-    list.cursor = list.cursor.saturating_add_signed(by).min(count.saturating_sub(1));
+    list.cursor = list.cursor.saturating_add_signed(by).min(problems.len().saturating_sub(1));
 }
 
 /// The line that is typed into.
@@ -149,6 +149,16 @@ pub(super) fn line(editing: &mut Editing) -> Option<&mut Line> {
 }
 
 fn act_on_line(editing: &mut Editing, action: Action) {
+    if let Some(input) = &mut editing.input {
+        match action {
+            Action::DeleteCharacter | Action::DeleteForward | Action::DeleteWord => {
+                if input.is_selected {
+                    return input.replace_selected();
+                }
+            }
+            _ => input.is_selected = false,
+        }
+    }
     let Some(line) = line(editing) else { return };
     match action {
         Action::TextLeft => line.left(),

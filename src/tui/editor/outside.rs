@@ -27,6 +27,17 @@ impl Editing {
 }
 
 impl App {
+    /// What the tables have to say is kept with all other messages.
+    pub(in crate::tui) fn keep_notice_of_editor(&mut self) {
+        let notice = self.editors.open().and_then(|editing| editing.notice.clone());
+        if notice != self.editors.kept_notice {
+            if let Some(notice) = &notice {
+                self.messages.keep(notice.text.clone());
+            }
+            self.editors.kept_notice = notice;
+        }
+    }
+
     /// A design was saved: what the explorer knows of it is of an earlier file. What the editor knows stands in for it
     /// until the file is read and solved again.
     pub(super) fn show_saved(&mut self, path: &Path) -> Vec<Effect> {

@@ -37,7 +37,7 @@ impl App {
         match result {
             Ok(()) => {
                 editing.saved(text);
-                let errors = editing.editor.reading().errors().count();
+                let errors = editing.errors();
                 match errors {
                     0 => editing.say(format!("saved {name}")),
                     _ => editing.say(format!("saved {name}, with {errors} {}", plural(errors, "error"))),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::keys::{act_on_choice, act_on_findings, act_on_form, act_on_input, act_on_matrix, act_on_table, line};
-use super::{Editing, Pending, Solution};
+use super::{Editing, Input, Pending, Solution};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome, Picture};
 use crate::tui::keymap::Mode;
@@ -214,7 +214,7 @@ impl App {
     pub(in crate::tui) fn type_in_editor(&mut self, letter: char) -> Vec<Effect> {
         let mode = self.mode;
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
-        if matches!(mode, Mode::Table | Mode::Matrix) && "-+.09".contains(letter) {
+        if matches!(mode, Mode::Table | Mode::Matrix) && (letter.is_ascii_digit() || "-+.".contains(letter)) {
             editing.notice = None;
             editing.type_number(letter);
         }
@@ -223,7 +223,12 @@ impl App {
     }
 
     pub(in crate::tui) fn paste_in_editor(&mut self, text: &str) -> Vec<Effect> {
-        if let Some(line) = self.editors.open_mut().and_then(line) {
+        let editing = self.editors.open_mut();
+        let line = editing.and_then(|editing| {
+            editing.input.iter_mut().for_each(Input::replace_selected);
+            line(editing)
+        });
+        if let Some(line) = line {
             line.insert(text);
         }
         Vec::new()

@@ -4,7 +4,7 @@ use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
 use crate::design::{Editor, KeyPath, Side, Step};
 use crate::tui::action::Action;
 
-/// The tables of a design, as the number keys show them.
+/// The tables of a design, in the order of their keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tab {
     Segments,

@@ -25,8 +25,8 @@ pub fn sentence(finding: &Finding) -> String {
     format!("{} {path}{}{hint}", finding.severity.word(), finding.message)
 }
 
-/// Draws the list over `area`.
-pub fn render(findings: &[Finding], list: &mut List, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+/// Draws the list over `area`; `is_open` is whether it is not known yet if the design can be solved.
+pub fn render(findings: &[Finding], is_open: bool, list: &mut List, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     panel::clear(area, buffer);
     let count = findings.len();
     let title = match count {
@@ -47,7 +47,10 @@ pub fn render(findings: &[Finding], list: &mut List, theme: &Theme, area: Rect, 
         lines.extend(wrapped.into_iter().enumerate().map(|(line, text)| (at, line == 0, text)));
     }
     if count == 0 {
-        lines.push((0, false, "Nothing is wrong or unusual in this design.".into()));
+        let text = "Nothing is wrong or unusual in this design.";
+        let open = " Whether it can be solved is not known yet.";
+        let text = if is_open { format!("{text}{open}") } else { text.into() };
+        lines.extend(wrap(&text, room).into_iter().map(|line| (0, false, line)));
     }
     list.scroll.fit(lines.len(), usize::from(inner.height));
     let first = lines.iter().position(|(at, ..)| *at == list.cursor).unwrap_or(0);

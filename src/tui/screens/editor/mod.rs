@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  header
-//!  1 segments [2 bearings] 3 bodies ...
+//!  F1 segments [F2 bearings] F3 bodies ...
 //! ┌ pinion bearings ────────────────────────────────────────────────┐
 //! │ table                                                           │
 //! └ length 170 mm, mass 1.9 kg ─────────────────────────────────────┘
@@ -67,7 +67,7 @@ fn render_header(editing: &Editing, live: bool, keys: &KeyNames<'_>, theme: &The
     let (width, ellipsis) = (usize::from(area.width), theme.glyphs.ellipsis);
     let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
     let star = if editing.is_modified() { " *" } else { "" };
-    let count = editing.findings().len();
+    let count = editing.problems().len();
     let list = keys.of(Action::Findings);
     let found = match count {
         0 => String::new(),
@@ -150,14 +150,13 @@ fn render_layers(
         let place = Rect { x: inner.x + 1, y, width: inner.width.min(30), height: 1 };
         return Some(cell_input::render(input, place, theme, inner, buffer));
     }
-    let count = editing.findings().len();
     let mut layer = editing.layer.take();
     let mut cursor = None;
     match &mut layer {
         Some(Layer::Choice(choice)) => choice::render(choice, cell, theme, area, buffer),
         Some(Layer::Findings(list)) => {
-            list.cursor = list.cursor.min(count.saturating_sub(1));
-            findings::render(editing.findings(), list, theme, area, buffer);
+            let is_open = editing.wants_solution();
+            findings::render(&editing.problems(), is_open, list, theme, area, buffer);
         }
         Some(Layer::Form(form)) => {
             let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

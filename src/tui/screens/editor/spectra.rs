@@ -3,8 +3,9 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use unicode_width::UnicodeWidthStr;
 
-use crate::text::wrap;
+use crate::text::{cut, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::Scroll;
 use crate::tui::editor::Editing;
@@ -71,10 +72,19 @@ pub fn render(editing: &mut Editing, live: bool, keys: &KeyNames<'_>, theme: &Th
     panel::bottom(area, buffer, &Title { left: Vec::new(), right }, false, theme);
     if let Some(why) = why {
         let room = usize::from(upper.width.saturating_sub(plot::GUTTER + 3));
-        let lines = wrap(&format!("{} {why}", theme.glyphs.broken), room);
-        for (line, y) in lines.iter().take(3).zip(upper.top()..upper.bottom()) {
+        let mut lines = wrap(&format!("{} {why}", theme.glyphs.broken), room);
+        // the frequencies stay in sight
+        let most = usize::from(upper.height.saturating_sub(plot::AXIS_ROWS)).max(1);
+        if lines.len() > most {
+            lines.truncate(most);
+            if let Some(last) = lines.last_mut() {
+                *last = cut(&format!("{last}{}", " ".repeat(room)), room, theme.glyphs.ellipsis);
+            }
+        }
+        for (line, y) in lines.iter().zip(upper.top()..upper.bottom()) {
             let x = upper.x + plot::GUTTER;
-            buffer.set_stringn(x, y, format!(" {line} "), room + 2, theme.error);
+            let gap = " ".repeat(room.saturating_sub(line.width()));
+            buffer.set_stringn(x, y, format!(" {line}{gap} "), room + 2, theme.error);
         }
     }
 }
