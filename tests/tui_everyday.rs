@@ -5,6 +5,7 @@ mod tui_support;
 
 use bevelscope::tui::caps::Capabilities;
 use bevelscope::tui::editor::Editing;
+use bevelscope::tui::help::HelpLine;
 use bevelscope::tui::message::{Effect, Ending, Message};
 use tui_support::{Screen, Shelf, UNICODE};
 
@@ -161,4 +162,95 @@ fn a_model_says_what_it_has_no_place_for() {
     assert_eq!(editing(&screen).cursor().column, column);
     screen.keys("<Enter>kk<Enter>");
     assert!(screen.text().contains("diagonal has no place for 1 stiffness"), "{}", screen.text());
+}
+
+/// The first design with something else in place of some of its text, and its tables open.
+fn with_text(from: &str, to: &str) -> Screen {
+    let text = Shelf::shipped().text("overhung-elastic").unwrap();
+    assert!(text.contains(from));
+    let shelf = Shelf::new(&[("odd", &text.replacen(from, to, 1))]);
+    let mut screen = Screen::with(&["odd"], 80, 24, UNICODE, shelf);
+    screen.keys("e");
+    screen
+}
+
+#[test]
+fn a_key_that_no_table_has_is_seen_and_taken_out_from_the_findings() {
+    let mut screen = with_text("\nteeth = ", "\nteth = 14\nteeth = ");
+    screen.keys("f");
+    assert!(screen.text().contains("pinion.teth: unknown key"), "{}", screen.text());
+    screen.keys("<Enter>");
+    // its table, which says what is wrong and is marked
+    let text = screen.text();
+    assert!(text.contains("pinion mesh") && line(&screen, "[F4").contains("mesh×]"), "{text}");
+    assert!(text.contains("× unknown key"), "{text}");
+    screen.keys("fx");
+    assert!(!editing(&screen).editor.text().contains("teth ="), "{}", screen.text());
+    assert!(screen.text().contains("No findings"), "{}", screen.text());
+    screen.keys("<Esc>u");
+    assert!(editing(&screen).editor.text().contains("teth = 14"));
+    // what a table has is not taken out here
+    let mut screen = with_text("length_mm = 36.0", "length_mm = -36.0");
+    let before = editing(&screen).editor.text().to_owned();
+    screen.keys("fx");
+    assert_eq!(editing(&screen).editor.text(), before);
+    assert!(screen.text().contains("it is changed there"), "{}", screen.text());
+}
+
+#[test]
+fn findings_are_called_as_the_tables_call_their_rows() {
+    let mut screen = with_text("length_mm = 36.0", "length_mm = -36.0");
+    screen.keys("f");
+    let text = screen.text();
+    assert!(text.contains("length of pinion segment 1: ") && text.contains("[pinion.segment[0].length_mm]"), "{text}");
+}
+
+/// The lines of the help below a title.
+fn help_of(screen: &Screen, title: &str) -> Vec<(String, &'static str)> {
+    let lines = screen.app.help_lines();
+    let below = lines.iter().skip_while(|line| !matches!(line, HelpLine::Title(found) if *found == title)).skip(1);
+    let entries = below.map_while(|line| match line {
+        HelpLine::Entry { keys, name, .. } => Some((keys.clone(), *name)),
+        HelpLine::Title(_) => None,
+    });
+    entries.collect()
+}
+
+#[test]
+fn help_says_of_a_key_only_what_it_does_here_and_names_other_places() {
+    let (mut screen, _) = library(80, 24, UNICODE);
+    screen.keys("?");
+    let has = |entries: &[(String, &str)], keys: &str, name: &str| entries.contains(&(keys.to_owned(), name));
+    let program = help_of(&screen, "Program");
+    assert_eq!(program.iter().filter(|(keys, _)| keys.split(' ').any(|key| key == "q")).count(), 1, "{program:?}");
+    assert!(has(&program, "Esc", "back"), "{program:?}");
+    assert!(!help_of(&screen, "Editing").iter().any(|(_, name)| name.ends_with("-all")));
+    assert!(has(&help_of(&screen, "When asked about unsaved edits"), "s", "save-all"));
+    let (mut screen, _) = opened(80, 24);
+    screen.keys("?");
+    let moving = help_of(&screen, "Moving");
+    assert!(has(&moving, "g", "first") && has(&moving, "Home", "first-cell"), "{moving:?}");
+    assert!(!help_of(&screen, "Finding").iter().any(|(_, name)| *name == "filter"));
+    assert!(has(&help_of(&screen, "While a cell is typed into"), "Enter", "accept-cell"));
+    assert!(has(&help_of(&screen, "In a list of words"), "Enter", "choose"));
+}
+
+#[test]
+fn a_message_has_the_room_of_the_hints() {
+    let (mut screen, _) = opened(80, 24);
+    screen.keys("c60<Enter><Esc>r");
+    assert!(
+        screen.text().contains("overhung-elastic has edits that are not saved: save them first"),
+        "{}",
+        screen.text()
+    );
+}
+
+#[test]
+fn a_copy_says_that_unsaved_edits_stay_behind() {
+    let (mut screen, _) = opened(80, 24);
+    screen.keys("<Esc>Y");
+    assert!(!screen.text().contains("without unsaved edits"), "{}", screen.text());
+    screen.keys("<Esc>ec60<Enter><Esc>Y");
+    assert!(screen.text().contains("without unsaved edits"), "{}", screen.text());
 }

@@ -70,12 +70,12 @@ macro_rules! actions {
 }
 
 actions! {
-    MoveUp, "move-up", Move, "the design above, or a line up", hint 0 "move";
-    MoveDown, "move-down", Move, "the design below, or a line down", hint 0 "move";
+    MoveUp, "move-up", Move, "a design, row or line up", hint 0 "move";
+    MoveDown, "move-down", Move, "a design, row or line down", hint 0 "move";
     PageUp, "page-up", Move, "a page up";
     PageDown, "page-down", Move, "a page down";
-    First, "first", Move, "the first design or line";
-    Last, "last", Move, "the last design or line";
+    First, "first", Move, "the first design, row or line";
+    Last, "last", Move, "the last design, row or line";
     MoveLeft, "move-left", Move, "a cell to the left";
     MoveRight, "move-right", Move, "a cell to the right";
     FirstCell, "first-cell", Move, "the first cell of the row";
@@ -141,6 +141,7 @@ actions! {
     DiscardAll, "discard-all", Edit, "quit without the edits that are not saved", hint 1 "discard";
     Findings, "findings", Find, "what is wrong or unusual in the design", hint 4 "findings";
     GoToFinding, "go-to-finding", Find, "to the cell that the finding is about", hint 0 "go there";
+    RemoveKey, "remove-key", Edit, "take out a key that no table has", hint 1 "remove key";
     Solve, "solve", Solve, "solve the design as it is now", hint 2 "solve";
     ToggleLive, "toggle-live", Solve, "solve after each edit, or not", hint 8 "live";
     CancelSolve, "cancel-solve", Solve, "stop solving", hint 0 "stop solving";

@@ -86,6 +86,29 @@ impl Mode {
         }
     }
 
+    /// Where it is, as the title of what its keys do.
+    pub fn place(self) -> &'static str {
+        match self {
+            Self::Library => "In the list of designs",
+            Self::Text => "In the text about a design",
+            Self::Filter => "While the filter is typed",
+            Self::Help => "In this help",
+            Self::HelpSearch => "While the help is searched",
+            Self::Palette => "In the list of all actions",
+            Self::Name => "While a file is named",
+            Self::Confirm => "When asked whether to delete",
+            Self::Messages => "In the messages",
+            Self::Compare => "In the comparison",
+            Self::Table => "In the tables",
+            Self::Cell => "While a cell is typed into",
+            Self::Choice => "In a list of words",
+            Self::Matrix => "In a stiffness matrix",
+            Self::Findings => "In the list of findings",
+            Self::Form => "While a variant is named",
+            Self::Leave => "When asked about unsaved edits",
+        }
+    }
+
     /// Whether letters are text.
     pub fn is_typing(self) -> bool {
         TYPING.contains(&self)
@@ -237,6 +260,8 @@ pub const BINDINGS: &[Binding] = &[
     letter(TABLE, 'f', Action::Findings),
     letter(&[Mode::Findings], 'f', Action::Back),
     key(&[Mode::Findings], KeyCode::Enter, Action::GoToFinding),
+    letter(&[Mode::Findings], 'x', Action::RemoveKey),
+    key(&[Mode::Findings], KeyCode::Delete, Action::RemoveKey),
     letter(CELLS, '=', Action::Solve),
     letter(TABLE, 'L', Action::ToggleLive),
     letter(CELLS, 'X', Action::CancelSolve),

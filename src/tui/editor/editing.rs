@@ -7,7 +7,7 @@ use super::cursor::Cursor;
 use super::form::Form;
 use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
-use super::view::{Place, Tab, View};
+use super::view::{Place, Tab, View, is_unknown};
 use crate::design::grid::{Cell, Shown};
 use crate::design::{
     Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Severity, Side, Spelled,
@@ -144,6 +144,41 @@ impl Editing {
             hint: None,
         });
         self.findings().iter().cloned().chain(refusal).collect()
+    }
+
+    /// Problems in the words of the tables, with the key path behind.
+    pub fn sentences(&self, problems: &[Finding]) -> Vec<String> {
+        let paths: Vec<KeyPath> = problems.iter().map(|one| one.key_path.parse().unwrap_or_default()).collect();
+        let labels = self.editor.labels(paths.iter());
+        let sentence = |(finding, label): (&Finding, String)| {
+            let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
+            let (severity, path) = (finding.severity.word(), &finding.key_path);
+            match path.as_str() {
+                "" => format!("{severity} {}{hint}", finding.message),
+                path if path == label => format!("{severity} {path}: {}{hint}", finding.message),
+                path => format!("{severity} {label}: {}{hint} [{path}]", finding.message),
+            }
+        };
+        problems.iter().zip(labels).map(sentence).collect()
+    }
+
+    /// Those about a table as a whole, or about keys in it that no table has, as places in the list of findings.
+    pub fn findings_of_table(&self, table: &KeyPath) -> Vec<usize> {
+        let is_about = |path: &KeyPath| {
+            path == table || is_unknown(path) && path.split_last().is_some_and(|(around, _)| around == *table)
+        };
+        let findings = self.findings().iter().enumerate();
+        findings
+            .filter(|(_, finding)| finding.key_path.parse().is_ok_and(|path| is_about(&path)))
+            .map(|(at, _)| at)
+            .collect()
+    }
+
+    /// The worst of what is wrong in a table.
+    pub fn worst_in(&self, tab: Tab) -> Option<Severity> {
+        let findings = self.findings().iter();
+        let here = findings.filter(|finding| finding.key_path.parse().is_ok_and(|path| Tab::of(&path).0 == tab));
+        here.map(|finding| finding.severity).min()
     }
 
     /// How many of these are errors.

@@ -1,7 +1,8 @@
 //! What a key does to the design in sight, by what it goes to.
 
+use super::view::is_unknown;
 use super::{Editing, Form, Layer, Line, List, Tab, Target};
-use crate::design::{KeyPath, Side, Towards};
+use crate::design::{Edit, KeyPath, Side, Towards};
 use crate::tui::action::Action;
 
 pub(super) fn act_on_table(editing: &mut Editing, action: Action) {
@@ -121,6 +122,15 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         Action::PageDown => page,
         Action::First => isize::MIN,
         Action::Last => isize::MAX,
+        Action::RemoveKey => {
+            let cursor = list.cursor;
+            let path = problems.get(cursor).and_then(|finding| finding.key_path.parse().ok());
+            match path.filter(is_unknown) {
+                Some(path) => drop(editing.make(&Edit::Remove { path })),
+                None => editing.say("a table has this one: it is changed there"),
+            }
+            return;
+        }
         Action::GoToFinding => {
             let cursor = list.cursor;
             let path = problems.get(cursor).map(|finding| finding.key_path.clone());

@@ -1,6 +1,7 @@
 //! Which tables there are, and the one in sight as rows and columns of cells.
 
 use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
+use crate::design::schema::target;
 use crate::design::{Editor, KeyPath, Side, Step};
 use crate::tui::action::Action;
 
@@ -308,8 +309,16 @@ impl View {
                 return Some((row, column));
             }
         }
-        None
+        // a table that is turned around is at its first value, and so is a key that it should not have
+        let around = path.split_last().map(|(around, _)| around).filter(|_| is_unknown(path));
+        let table = around.as_ref().unwrap_or(path);
+        (0..self.rows.len()).find(|&row| self.row(row).is_some_and(|line| line.path == *table)).map(|row| (row, None))
     }
+}
+
+/// Whether no table has the key.
+pub fn is_unknown(path: &KeyPath) -> bool {
+    target(path).is_none()
 }
 
 /// Does `path` go on from `above`?

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! ┌ 2 findings ────────────────────────────────────────┐
-//! │▌× error pinion.bearing[0].kx_n_per_m: must be ...  │
-//! │ ! warning mesh.damping: 3 is a lot                 │
+//! │▌× error kx of pinion bearing B1: must be ...       │
+//! │ ! warning damping of mesh: 3 is a lot              │
 //! └────────────────────────────────────────────────────┘
 //! ```
 
@@ -15,7 +15,7 @@ use super::panel::{self, Title};
 use super::table::severity_mark;
 use crate::design::Finding;
 use crate::text::wrap;
-use crate::tui::editor::List;
+use crate::tui::editor::{Editing, List};
 use crate::tui::theme::Theme;
 
 /// A finding as it is read.
@@ -26,8 +26,9 @@ pub fn sentence(finding: &Finding) -> String {
 }
 
 /// Draws the list over `area`; `is_open` is whether it is not known yet if the design can be solved.
-pub fn render(findings: &[Finding], is_open: bool, list: &mut List, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+pub fn render(editing: &Editing, is_open: bool, list: &mut List, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     panel::clear(area, buffer);
+    let findings = editing.problems();
     let count = findings.len();
     let title = match count {
         0 => "No findings".to_owned(),
@@ -42,8 +43,8 @@ pub fn render(findings: &[Finding], is_open: bool, list: &mut List, theme: &Them
     let room = usize::from(inner.width) - 4;
     // which finding each line belongs to
     let mut lines: Vec<(usize, bool, String)> = Vec::new();
-    for (at, finding) in findings.iter().enumerate() {
-        let wrapped = wrap(&sentence(finding), room);
+    for (at, sentence) in editing.sentences(&findings).iter().enumerate() {
+        let wrapped = wrap(sentence, room);
         lines.extend(wrapped.into_iter().enumerate().map(|(line, text)| (at, line == 0, text)));
     }
     if count == 0 {

@@ -8,19 +8,21 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use crate::tui::editor::Tab;
+use super::table::severity_mark;
+use crate::tui::editor::{Editing, Tab};
 use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 
 /// Draws a line with all tables; where there is little room, names are shortened, then the keys go.
-pub fn render(now: Tab, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let width = usize::from(area.width);
+pub fn render(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let (width, now) = (usize::from(area.width), editing.tab);
     let line = |(longest, with_key): (usize, bool)| -> Vec<(String, bool)> {
         let tabs = Tab::ALL.into_iter().map(|tab| {
             let title = tab.title();
             let title = if tab == now { title } else { &title[..title.len().min(longest)] };
             let key = keys.key(tab.action()).filter(|_| with_key).map_or(String::new(), |key| format!("{key} "));
-            (format!("{key}{title}"), tab == now)
+            let mark = editing.worst_in(tab).map_or("", |worst| severity_mark(worst, theme).0);
+            (format!("{key}{title}{mark}"), tab == now)
         });
         tabs.collect()
     };

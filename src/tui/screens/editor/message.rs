@@ -92,10 +92,13 @@ fn findings_here(editing: &Editing) -> Vec<usize> {
         Some(entry) => entry.findings.clone(),
         None => editing.view.findings(cursor.row, cursor.column),
     };
-    if !places.is_empty() || editing.view.is_turned() {
+    if !places.is_empty() {
         return places;
     }
     let row = editing.view.row(cursor.row);
+    if editing.view.is_turned() {
+        return row.map_or(Vec::new(), |row| editing.findings_of_table(&row.path));
+    }
     let is_of_cell = |at: &usize| row.is_some_and(|row| row.cells.iter().any(|cell| cell.findings.contains(at)));
     let of_row = row.into_iter().flat_map(|row| &row.findings).copied().filter(|at| !is_of_cell(at));
     of_row.chain(editing.view.list_findings().iter().copied()).collect()

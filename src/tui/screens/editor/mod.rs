@@ -52,7 +52,7 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let keys = app.keys.names(Mode::Table, theme.glyphs.ascii);
     if let Some(editing) = app.editors.open_mut() {
         render_header(editing, live, &keys, &theme, row(0, 1), buffer);
-        tabs::render(editing.tab, &keys, &theme, row(1, 1), buffer);
+        tabs::render(editing, &keys, &theme, row(1, 1), buffer);
         cursor = render_body(editing, live, &keys, &theme, body, buffer);
         spectra::render_figures(editing, &theme, row(last - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
         message::render(editing, &keys, &theme, row(last - 1, 1), buffer);
@@ -156,7 +156,7 @@ fn render_layers(
         Some(Layer::Choice(choice)) => choice::render(choice, cell, theme, area, buffer),
         Some(Layer::Findings(list)) => {
             let is_open = editing.wants_solution();
-            findings::render(&editing.problems(), is_open, list, theme, area, buffer);
+            findings::render(editing, is_open, list, theme, area, buffer);
         }
         Some(Layer::Form(form)) => {
             let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

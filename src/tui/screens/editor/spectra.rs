@@ -13,7 +13,7 @@ use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::{difference_strip, figures, findings, plot, spectrum, text_pane};
+use crate::tui::widgets::{difference_strip, figures, plot, spectrum, text_pane};
 
 /// Whether the spectra are those of the design as it is now, and if not, why.
 fn state(editing: &Editing, live: bool, keys: &KeyNames<'_>) -> String {
@@ -92,7 +92,10 @@ pub fn render(editing: &mut Editing, live: bool, keys: &KeyNames<'_>, theme: &Th
 /// Why the design as it is now has no solution.
 fn why_not(editing: &Editing) -> Option<String> {
     match &editing.design {
-        None => editing.editor.reading().errors().next().map(findings::sentence),
+        None => {
+            let first = editing.editor.reading().errors().next()?;
+            editing.sentences(std::slice::from_ref(first)).pop()
+        }
         Some(design) => editing.solving.failure(design).map(str::to_owned),
     }
 }
