@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::agreement::{Agreement, AgreementError, Tolerance, difference_db};
 use crate::design::Design;
-use crate::model::{Model, ModelKind, Rotors, RotorsError};
+use crate::model::{Caveat, Model, ModelKind, Rotors, RotorsError};
 use crate::response::{Compliance, ResponseError, frequency_lines, modes_work};
 
 pub use crate::response::Spectrum;
@@ -19,6 +19,8 @@ pub struct Comparison {
     pub basic: Spectrum,
     pub enhanced_agreement: Agreement,
     pub basic_agreement: Agreement,
+    /// Of the enhanced model
+    pub caveats: Vec<Caveat>,
 }
 
 impl Comparison {
@@ -93,7 +95,8 @@ pub fn compare_over(
         Agreement::new(&frequency_hz, &lumped.mesh_force, &fe.mesh_force, band, Tolerance::default())
     };
     let (enhanced_agreement, basic_agreement) = (agreement(&enhanced)?, agreement(&basic)?);
-    Ok(Comparison { frequency_hz, fe, enhanced, basic, enhanced_agreement, basic_agreement })
+    let caveats = rotors.caveats();
+    Ok(Comparison { frequency_hz, fe, enhanced, basic, enhanced_agreement, basic_agreement, caveats })
 }
 
 /// A spectrum in steps that the observer can come between.
@@ -198,6 +201,21 @@ mod tests {
             });
             assert_eq!((ended, after), (Err(SolveError::Cancelled), 1), "{part}");
         }
+    }
+
+    #[test]
+    fn what_is_wrong_with_both_shafts_is_said_of_both() {
+        let mut design = read(SHIPPED[0].text).design.unwrap();
+        for bearing in &mut design.gear.bearings {
+            bearing.model = BearingModel::Matrix([[0.0; 6]; 6]);
+        }
+        let gear = compare(&design).unwrap_err().to_string();
+        assert!(gear.starts_with("gear shaft: nothing holds it"), "{gear}");
+        for bearing in &mut design.pinion.bearings {
+            bearing.model = BearingModel::Matrix([[0.0; 6]; 6]);
+        }
+        let both = compare(&design).unwrap_err().to_string();
+        assert!(both.starts_with("pinion shaft: nothing holds it") && both.ends_with(&format!("; {gear}")), "{both}");
     }
 
     #[test]

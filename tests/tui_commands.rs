@@ -109,6 +109,7 @@ impl Backend for Folder {
     fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {
         let bearing = KeyPath::root().key("pinion").key("bearing").name("B1");
         let one = |key: &str, label: &str, a: Option<&str>, b: Option<&str>, unit| Difference {
+            is_number: false,
             path: bearing.key(key),
             label: label.into(),
             a: a.map(Into::into),

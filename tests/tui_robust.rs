@@ -101,6 +101,7 @@ impl Backend for Hostile {
 
     fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {
         Ok(vec![Difference {
+            is_number: false,
             path: KeyPath::root().key(ESCAPES),
             label: ESCAPES.into(),
             a: Some(ESCAPES.into()),

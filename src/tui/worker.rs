@@ -23,6 +23,7 @@ use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
 use crate::design::Design;
 use crate::design::library::VariantName;
+use crate::model::Caveat;
 
 /// Numbers the requests: of two results for the same thing, the one with the higher ticket counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -74,6 +75,8 @@ pub struct Summary {
     pub elapsed: Duration,
     pub enhanced: Agreement,
     pub basic: Agreement,
+    /// Of the enhanced model
+    pub caveats: Vec<Caveat>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -179,6 +182,7 @@ fn solve(
             elapsed,
             enhanced: comparison.enhanced_agreement,
             basic: comparison.basic_agreement,
+            caveats: comparison.caveats,
         };
         Ok(Solved { summary, traces })
     });

@@ -66,7 +66,7 @@ impl Backend for MadeUp {
 
 /// Why the gear shaft of a design cannot be solved.
 pub fn not_solved(error: RotorError) -> SolveError {
-    SolveError::Rotors(RotorsError { side: Side::Gear, error })
+    SolveError::Rotors(RotorsError(vec![(Side::Gear, error)]))
 }
 
 /// The paths of a made-up library.
@@ -201,6 +201,7 @@ pub fn comparison(design: &Design) -> Comparison {
             if design.name.contains("rigid") { 3364.0 } else { 2997.0 },
         ),
         basic_agreement: agreement(10.13, 31.0, 4980.0, 0.12, 236.0),
+        caveats: Vec::new(),
     }
 }
 
