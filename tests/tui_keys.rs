@@ -184,12 +184,11 @@ const MOVED: &str = r#"
 [table]
 "v" = "solve"
 "=" = "none"
-"f5" = "none"
 "w" = "findings"
 "f" = "none"
 "z" = "undo"
 "u" = "none"
-"F4" = "toggle-live"
+"f9" = "toggle-live"
 "L" = "none"
 "d" = "clear-cell"
 "x" = "none"
@@ -198,8 +197,8 @@ const MOVED: &str = r#"
 "p" = "none"
 "i" = "edit-cell"
 "enter" = "none"
-"F6" = "materials"
-"7" = "none"
+"f10" = "materials"
+"f7" = "none"
 "#;
 
 /// The explorer with the keys of [`MOVED`].
@@ -221,14 +220,14 @@ fn texts_name_the_keys_in_force() {
             assert!(text.contains(wanted), "{keys}: no {wanted:?} in\n{text}");
         }
     };
-    says("ej", &["F6 materials", "(o: gear)"]);
+    says("ej", &["F10 materials", "(o: gear)"]);
     says("<End>", &["(d clears)"]);
     says("<Home>lc38<Tab>", &["z: outer diameter"]);
-    says("<F4>", &["v solves"]);
+    says("<F9>", &["v solves"]);
     says("<Home>lc39<Tab>", &["stale, live off: v solves"]);
     says("<Home>c-1<Tab>c-2<Tab>v", &["findings (w)", "(w lists them)"]);
-    says("<F6>", &["i renames it"]);
-    says("2<Ctrl-g>?", &["& searches, Ctrl-g closes"]);
+    says("<F10>", &["i renames it"]);
+    says("<F2><Ctrl-g>?", &["& searches, Ctrl-g closes"]);
     // before anything is there, and where there is no match
     let mut screen = moved(&[], Shelf::new(&[]));
     assert!(screen.text().contains("press F2, or quit with Ctrl-q"), "{}", screen.text());

@@ -70,12 +70,12 @@ macro_rules! actions {
 }
 
 actions! {
-    MoveUp, "move-up", Move, "the design above, or a line up", hint 0 "move";
-    MoveDown, "move-down", Move, "the design below, or a line down", hint 0 "move";
+    MoveUp, "move-up", Move, "a design, row or line up", hint 0 "move";
+    MoveDown, "move-down", Move, "a design, row or line down", hint 0 "move";
     PageUp, "page-up", Move, "a page up";
     PageDown, "page-down", Move, "a page down";
-    First, "first", Move, "the first design or line";
-    Last, "last", Move, "the last design or line";
+    First, "first", Move, "the first design, row or line";
+    Last, "last", Move, "the last design, row or line";
     MoveLeft, "move-left", Move, "a cell to the left";
     MoveRight, "move-right", Move, "a cell to the right";
     FirstCell, "first-cell", Move, "the first cell of the row";
@@ -115,7 +115,7 @@ actions! {
     ClearText, "clear-text", Typing, "delete all letters before the cursor", hint 2 "clear";
     Accept, "accept", Program, "do what is asked or chosen", hint 0 "accept";
     OpenEditor, "edit-design", Edit, "open the tables of the design", hint 1 "edit";
-    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; a free digit, - + . begin a number", hint 0 "edit";
+    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; digits and - + . begin a number", hint 0 "edit";
     ReplaceCell, "replace-cell", Edit, "type in place of the value";
     CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
     ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";
@@ -147,6 +147,7 @@ actions! {
     TakeTheirs, "take-theirs", Edit, "take what somebody else has saved; undo brings the edits back", hint 1 "take theirs";
     Findings, "findings", Find, "what is wrong or unusual in the design", hint 4 "findings";
     GoToFinding, "go-to-finding", Find, "to the cell that the finding is about", hint 0 "go there";
+    RemoveKey, "remove-key", Edit, "take out a key that no table has", hint 1 "remove key";
     Solve, "solve", Solve, "solve the design as it is now", hint 2 "solve";
     ToggleLive, "toggle-live", Solve, "solve after each edit, or not", hint 8 "live";
     CancelSolve, "cancel-solve", Solve, "stop solving", hint 0 "stop solving";

@@ -53,6 +53,8 @@ pub struct App {
     pub conflicts: Conflicts,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
+    /// The terminal is too small to show what the keys would act on.
+    pub(super) is_unseen: bool,
 }
 
 /// The right side: what is known of the selected design.
@@ -173,6 +175,7 @@ impl App {
             conflicts: Conflicts::default(),
             tickets: Ticket::default(),
             view_moved: false,
+            is_unseen: false,
         }
     }
 

@@ -210,7 +210,11 @@ impl App {
                 self.library.want(to);
             }
             FileDone::Duplicated { from, to } => {
-                self.say(format!("copied {} to {}", stem(&from), stem(&to)));
+                let without = match self.editors.unsaved_text(&from) {
+                    Some(_) => ", without the edits that are not saved",
+                    None => "",
+                };
+                self.say(format!("copied {} to {}{without}", stem(&from), stem(&to)));
                 self.library.want(to);
             }
             FileDone::Deleted { path, trashed } => {

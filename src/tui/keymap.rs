@@ -94,6 +94,31 @@ impl Mode {
         }
     }
 
+    /// Where it is, as the title of what its keys do.
+    pub fn place(self) -> &'static str {
+        match self {
+            Self::Library => "In the list of designs",
+            Self::Text => "In the text about a design",
+            Self::Filter => "While the filter is typed",
+            Self::Help => "In this help",
+            Self::HelpSearch => "While the help is searched",
+            Self::Palette => "In the list of all actions",
+            Self::Name => "While a file is named",
+            Self::Confirm => "When asked whether to delete",
+            Self::Messages => "In the messages",
+            Self::Compare => "In the comparison",
+            Self::Table => "In the tables",
+            Self::Cell => "While a cell is typed into",
+            Self::Choice => "In a list of words",
+            Self::Matrix => "In a stiffness matrix",
+            Self::Findings => "In the list of findings",
+            Self::Form => "While a variant is named",
+            Self::Leave => "When asked about unsaved edits",
+            Self::Recovery => "When asked about edits of an earlier run",
+            Self::Conflict => "When asked about somebody else's change",
+        }
+    }
+
     /// Whether letters are text.
     pub fn is_typing(self) -> bool {
         TYPING.contains(&self)
@@ -220,14 +245,14 @@ pub const BINDINGS: &[Binding] = &[
     letter(TABLE, 'p', Action::OtherShaft),
     letter(TABLE, ']', Action::NextTable),
     letter(TABLE, '[', Action::PreviousTable),
-    letter(TABLE, '1', Action::Segments),
-    letter(TABLE, '2', Action::Bearings),
-    letter(TABLE, '3', Action::Bodies),
-    letter(TABLE, '4', Action::Mesh),
-    letter(TABLE, '5', Action::Drives),
-    letter(TABLE, '6', Action::Analysis),
-    letter(TABLE, '7', Action::Materials),
-    letter(TABLE, '8', Action::Design),
+    key(TABLE, KeyCode::F(1), Action::Segments),
+    key(TABLE, KeyCode::F(2), Action::Bearings),
+    key(TABLE, KeyCode::F(3), Action::Bodies),
+    key(TABLE, KeyCode::F(4), Action::Mesh),
+    key(TABLE, KeyCode::F(5), Action::Drives),
+    key(TABLE, KeyCode::F(6), Action::Analysis),
+    key(TABLE, KeyCode::F(7), Action::Materials),
+    key(TABLE, KeyCode::F(8), Action::Design),
     letter(PANES, 'e', Action::OpenEditor),
     key(PANES, KeyCode::Enter, Action::OpenEditor),
     key(CELLS, KeyCode::Enter, Action::EditCell),
@@ -268,8 +293,9 @@ pub const BINDINGS: &[Binding] = &[
     letter(TABLE, 'f', Action::Findings),
     letter(&[Mode::Findings], 'f', Action::Back),
     key(&[Mode::Findings], KeyCode::Enter, Action::GoToFinding),
+    letter(&[Mode::Findings], 'x', Action::RemoveKey),
+    key(&[Mode::Findings], KeyCode::Delete, Action::RemoveKey),
     letter(CELLS, '=', Action::Solve),
-    key(CELLS, KeyCode::F(5), Action::Solve),
     letter(TABLE, 'L', Action::ToggleLive),
     letter(CELLS, 'X', Action::CancelSolve),
     key(PANES, KeyCode::Tab, Action::NextPane),
@@ -312,7 +338,7 @@ pub const BINDINGS: &[Binding] = &[
     letter(PICTURES, 'b', Action::CycleMarker),
     letter(ROWS, 'y', Action::Copy),
     letter(COMMANDS, ':', Action::Palette),
-    letter(PANES, '!', Action::Messages),
+    letter(BROWSING, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
     letter(&[Mode::Compare], '?', Action::Help),
     letter(BROWSING, 'q', Action::Quit),

@@ -84,7 +84,7 @@ fn applies_in_editor(editing: &Editing, action: Action) -> bool {
         Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
         Action::CancelSolve => editing.solving.pending.is_some(),
         Action::Solve => editing.solving.pending.is_none() && editing.wants_solution(),
-        Action::Findings => !editing.findings().is_empty(),
+        Action::Findings => !editing.problems().is_empty(),
         Action::CycleCell => {
             editing.cell().is_some_and(|cell| matches!(cell.kind, CellKind::Choice(_) | CellKind::Model(_)))
         }

@@ -21,6 +21,7 @@ impl App {
     /// Takes in one message.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
         let mut effects = self.take_in(message);
+        self.keep_notice_of_editor();
         let protection = self.protect();
         // before the program ends
         effects.splice(0..0, protection);
@@ -146,8 +147,13 @@ impl App {
         if event.kind == KeyEventKind::Release {
             return Vec::new();
         }
+        let action = self.keys.action(self.mode, event);
+        // nothing is done to what cannot be seen
+        if self.is_unseen && !matches!(action, Some(Action::Quit | Action::Suspend | Action::Redraw)) {
+            return Vec::new();
+        }
         self.clear_notice();
-        if let Some(action) = self.keys.action(self.mode, event) {
+        if let Some(action) = action {
             return self.run(action);
         }
         match event.code {
@@ -185,6 +191,9 @@ impl App {
 
     /// Text from the clipboard is text and never keys: a `q` in it does not quit.
     fn paste(&mut self, text: &str) -> Vec<Effect> {
+        if self.is_unseen {
+            return Vec::new();
+        }
         self.type_text(text)
     }
 

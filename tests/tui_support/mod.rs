@@ -430,7 +430,7 @@ fn named_key(name: &str) -> KeyEvent {
         "PgDn" => KeyCode::PageDown,
         "S-Tab" => KeyCode::BackTab,
         "Delete" => KeyCode::Delete,
-        "F2" | "F3" | "F4" | "F5" | "F6" => KeyCode::F(name[1..].parse().unwrap()),
+        function if function.starts_with('F') => KeyCode::F(function[1..].parse().unwrap()),
         other => {
             let letter = other.strip_prefix("Ctrl-").and_then(|rest| rest.chars().next()).unwrap();
             return KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL);

@@ -3,7 +3,7 @@
 use super::history::History;
 use super::{Edit, EditName, steps};
 use crate::design::grid::{Grid, Sheet};
-use crate::design::{Document, EditError, KeyPath, Reading, read};
+use crate::design::{Document, EditError, KeyPath, Reading, label, read};
 
 /// A text with its history. What it says is read again after every change.
 #[derive(Debug, Clone)]
@@ -107,6 +107,12 @@ impl Editor {
     /// A table of the design, with the findings of [`reading`](Self::reading) beside the cells.
     pub fn grid(&self, sheet: &Sheet) -> Grid {
         Grid::new(self.text(), &self.reading.findings, sheet)
+    }
+
+    /// What people call the values at some paths: `outer diameter of pinion segment 3`.
+    pub fn labels<'a>(&self, paths: impl Iterator<Item = &'a KeyPath>) -> Vec<String> {
+        let tree = self.document.tree();
+        paths.map(|path| label::of_value(&tree, path)).collect()
     }
 
     fn read_again(&mut self) {

@@ -7,9 +7,11 @@ use super::cursor::Cursor;
 use super::form::Form;
 use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
-use super::view::{Place, Tab, View};
+use super::view::{Place, Tab, View, is_unknown};
 use crate::design::grid::{Cell, Shown};
-use crate::design::{Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Side, Spelled};
+use crate::design::{
+    Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Severity, Side, Spelled,
+};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
@@ -116,8 +118,66 @@ impl Editing {
         self.editor.saved_text()
     }
 
+    /// What that text says; nothing if it has errors.
+    pub(super) fn saved_design(&self) -> Option<&Arc<Design>> {
+        self.saved_design.as_ref()
+    }
+
     pub fn findings(&self) -> &[Finding] {
         &self.editor.reading().findings
+    }
+
+    /// All that is wrong or unusual: the findings, and last why the design cannot be solved.
+    pub fn problems(&self) -> Vec<Finding> {
+        let refusal = self.design.as_ref().and_then(|design| self.solving.failure(design));
+        let refusal = refusal.map(|reason| Finding {
+            severity: Severity::Error,
+            // what is not held lacks a bearing
+            key_path: Side::BOTH
+                .into_iter()
+                .find(|side| reason.starts_with(side.name()))
+                .map_or(KeyPath::root(), |side| KeyPath::root().key(side.name()).key("bearing")),
+            span: None,
+            message: format!("cannot be solved: {reason}"),
+            hint: None,
+        });
+        self.findings().iter().cloned().chain(refusal).collect()
+    }
+
+    /// Problems in the words of the tables, with the key path behind.
+    pub fn sentences(&self, problems: &[Finding]) -> Vec<String> {
+        let labels = self.editor.labels(problems.iter().map(|one| &one.key_path));
+        let sentence = |(finding, label): (&Finding, String)| {
+            let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
+            let (severity, path) = (finding.severity.word(), finding.shown_path());
+            match path.as_str() {
+                "" => format!("{severity} {}{hint}", finding.message),
+                path if path == label => format!("{severity} {path}: {}{hint}", finding.message),
+                path => format!("{severity} {label}: {}{hint} [{path}]", finding.message),
+            }
+        };
+        problems.iter().zip(labels).map(sentence).collect()
+    }
+
+    /// Those about a table as a whole, or about keys in it that no table has, as places in the list of findings.
+    pub fn findings_of_table(&self, table: &KeyPath) -> Vec<usize> {
+        let is_about = |path: &KeyPath| {
+            path == table || is_unknown(path) && path.split_last().is_some_and(|(around, _)| around == *table)
+        };
+        let findings = self.findings().iter().enumerate();
+        findings.filter(|(_, finding)| is_about(&finding.key_path)).map(|(at, _)| at).collect()
+    }
+
+    /// The worst of what is wrong in a table.
+    pub fn worst_in(&self, tab: Tab) -> Option<Severity> {
+        let findings = self.findings().iter();
+        let here = findings.filter(|finding| Tab::of(&finding.key_path).0 == tab);
+        here.map(|finding| finding.severity).min()
+    }
+
+    /// How many of these are errors.
+    pub fn errors(&self) -> usize {
+        self.problems().iter().filter(|finding| finding.severity == Severity::Error).count()
     }
 
     /// `pinion bearings`, `materials`

@@ -1,7 +1,8 @@
 //! What a key does to the design in sight, by what it goes to.
 
+use super::view::is_unknown;
 use super::{Editing, Form, Layer, List, Tab, Target};
-use crate::design::{KeyPath, Side, Towards};
+use crate::design::{Edit, KeyPath, Side, Towards};
 use crate::tui::action::Action;
 use crate::tui::text_field::TextField;
 
@@ -112,7 +113,7 @@ pub(super) fn act_on_choice(editing: &mut Editing, action: Action) {
 }
 
 pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
-    let count = editing.findings().len();
+    let problems = editing.problems();
     let Some(Layer::Findings(list)) = &mut editing.layer else { return };
     let page = list.scroll.page();
     let by = match action {
@@ -122,9 +123,18 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         Action::PageDown => page,
         Action::First => isize::MIN,
         Action::Last => isize::MAX,
+        Action::RemoveKey => {
+            let cursor = list.cursor;
+            let path = problems.get(cursor).map(|finding| finding.key_path.clone());
+            match path.filter(is_unknown) {
+                Some(path) => drop(editing.make(&Edit::Remove { path })),
+                None => editing.say("a table has this one: it is changed there"),
+            }
+            return;
+        }
         Action::GoToFinding => {
             let cursor = list.cursor;
-            let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
+            let path = problems.get(cursor).map(|finding| finding.key_path.clone());
             match path {
                 Some(path) if path == KeyPath::root() => editing.say("this one is about the whole file"),
                 Some(path) => editing.go_to(&path),
@@ -134,7 +144,7 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         }
         _ => return,
     };
-    list.cursor = list.cursor.saturating_add_signed(by).min(count.saturating_sub(1));
+    list.cursor = list.cursor.saturating_add_signed(by).min(problems.len().saturating_sub(1));
 }
 
 /// The line that is typed into.
@@ -150,6 +160,16 @@ pub(super) fn line(editing: &mut Editing) -> Option<&mut TextField> {
 }
 
 fn act_on_line(editing: &mut Editing, action: Action) {
+    if let Some(input) = &mut editing.input {
+        match action {
+            Action::DeleteCharacter | Action::DeleteForward | Action::DeleteWord => {
+                if input.is_selected {
+                    return input.replace_selected();
+                }
+            }
+            _ => input.is_selected = false,
+        }
+    }
     if let (Some(line), Some(edit)) = (line(editing), TextField::edit_of(action)) {
         edit(line);
     }

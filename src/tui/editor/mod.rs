@@ -12,6 +12,7 @@ mod cursor;
 mod editing;
 mod form;
 mod keys;
+mod outside;
 mod rows;
 mod saving;
 mod solving;
@@ -42,11 +43,13 @@ pub struct Editors {
     pub live: bool,
     /// The program ends once everything is saved.
     pub(super) is_leaving: bool,
+    /// What was said last, and is with the messages
+    kept_notice: Option<Notice>,
 }
 
 impl Default for Editors {
     fn default() -> Self {
-        Self { all: Vec::new(), open: None, opening: None, live: true, is_leaving: false }
+        Self { all: Vec::new(), open: None, opening: None, live: true, is_leaving: false, kept_notice: None }
     }
 }
 

@@ -39,14 +39,14 @@ impl App {
             Ok(()) => {
                 editing.saved(text);
                 editing.look.state = FileState::Same;
-                let errors = editing.editor.reading().errors().count();
+                let errors = editing.errors();
                 match errors {
                     0 => editing.say(format!("saved {name}")),
                     _ => editing.say(format!("saved {name}, with {errors} {}", plural(errors, "error"))),
                 }
                 let unsaved = editing.is_modified();
                 if let Some(row) = self.library.row_mut(path) {
-                    (row.unsaved, row.stale) = (unsaved, true);
+                    row.unsaved = unsaved;
                 }
             }
             Err(NotSaved::Changed(on_disk)) => {
@@ -67,7 +67,9 @@ impl App {
         if self.editors.is_leaving || self.mode == Mode::Leave {
             return self.leave_if_saved().into_iter().collect();
         }
-        self.fill().into_iter().collect()
+        let mut effects = self.show_saved(path);
+        effects.extend(self.fill());
+        effects
     }
 
     pub(super) fn save_form(&mut self) -> Vec<Effect> {

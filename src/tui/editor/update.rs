@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::keys::{act_on_choice, act_on_findings, act_on_form, act_on_input, act_on_matrix, act_on_table, line};
-use super::{Editing, Pending, Solution};
+use super::{Editing, Input, Pending, Solution};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome, Picture};
 use crate::tui::keymap::Mode;
@@ -242,7 +242,12 @@ impl App {
     }
 
     pub(in crate::tui) fn paste_in_editor(&mut self, text: &str) -> Vec<Effect> {
-        if let Some(line) = self.editors.open_mut().and_then(line) {
+        let editing = self.editors.open_mut();
+        let line = editing.and_then(|editing| {
+            editing.input.iter_mut().for_each(Input::replace_selected);
+            line(editing)
+        });
+        if let Some(line) = line {
             line.insert(text);
         }
         Vec::new()

@@ -4,10 +4,11 @@ use unicode_width::UnicodeWidthStr;
 
 use super::shown_text;
 use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
+use crate::design::schema::target;
 use crate::design::{Editor, KeyPath, Side, Step};
 use crate::tui::action::Action;
 
-/// The tables of a design, as the number keys show them.
+/// The tables of a design, in the order of their keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tab {
     Segments,
@@ -329,8 +330,16 @@ impl View {
                 return Some((row, column));
             }
         }
-        None
+        // a table that is turned around is at its first value, and so is a key that it should not have
+        let around = path.split_last().map(|(around, _)| around).filter(|_| is_unknown(path));
+        let table = around.as_ref().unwrap_or(path);
+        (0..self.rows.len()).find(|&row| self.row(row).is_some_and(|line| line.path == *table)).map(|row| (row, None))
     }
+}
+
+/// Whether no table has the key.
+pub fn is_unknown(path: &KeyPath) -> bool {
+    target(path).is_none()
 }
 
 /// Does `path` go on from `above`?

@@ -63,17 +63,6 @@ impl Keys {
         KeyNames { keys: self, mode, ascii }
     }
 
-    /// The keys of an action in any of the modes, each once.
-    pub fn anywhere(&self, modes: &[Mode], action: Action, ascii: bool) -> Vec<String> {
-        let mut keys: Vec<String> = Vec::new();
-        for key in modes.iter().flat_map(|&mode| self.of(mode, action, ascii)) {
-            if !keys.contains(&key) {
-                keys.push(key);
-            }
-        }
-        keys
-    }
-
     /// All keys.
     pub fn bound(&self) -> &[Bound] {
         &self.bound

@@ -13,6 +13,7 @@ use ratatui::layout::{Position, Rect};
 use crate::text::{cut, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::editor::Editing;
 use crate::tui::files::Purpose;
 use crate::tui::keymap::Mode;
 use crate::tui::library::Row;
@@ -31,7 +32,12 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let stem = Row::new(form.path.clone()).stem;
     let (style, text) = match form.checked(&app.library) {
         _ if form.pending => (theme.faint, format!("working{}", theme.glyphs.ellipsis)),
-        Ok(_) => (theme.faint, "in the same folder; .toml is added".to_owned()),
+        Ok(_) => {
+            let unsaved =
+                form.purpose == Purpose::Duplicate && app.editors.get(&form.path).is_some_and(Editing::is_modified);
+            let without = if unsaved { "; without unsaved edits" } else { "" };
+            (theme.faint, format!("in the same folder; .toml is added{without}"))
+        }
         Err(error) => (theme.error, format!("{} {error}", theme.glyphs.broken)),
     };
     let lines = wrap(&text, usize::from(area.width.min(WIDTH).saturating_sub(4)));

@@ -23,6 +23,10 @@ pub fn render(input: &Input, cell: Rect, theme: &Theme, area: Rect, buffer: &mut
     let x = cell.x.min(area.right().saturating_sub(width));
     let place = Rect { x, y: cell.y, width, height: 1 };
     let cursor = bracketed(&input.line, theme, place, buffer);
+    if input.is_selected {
+        let text = input.line.text().width().min(usize::from(width.saturating_sub(2)));
+        buffer.set_style(Rect { x: x + 1, width: text as u16, ..place }.intersection(area), theme.selected);
+    }
     if let Some(error) = &input.error {
         draw_error(error, place, theme, area, buffer);
     }

@@ -22,7 +22,7 @@ pub fn render(editing: &Editing, live: bool, keys: &KeyNames<'_>, theme: &Theme,
     let (width, ellipsis) = (usize::from(area.width), theme.glyphs.ellipsis);
     let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
     let star = if editing.is_modified() { " *" } else { "" };
-    let count = editing.findings().len();
+    let count = editing.problems().len();
     let list = keys.of(Action::Findings);
     let found = match count {
         0 => String::new(),

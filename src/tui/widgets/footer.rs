@@ -34,7 +34,8 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         }
     } else if let Some(notice) = app.shown_notice() {
         let text = printable(&notice.text);
-        let room = usize::from(area.width) * 3 / 4;
+        // what happened comes before what could be done
+        let room = usize::from(area.width).saturating_sub(4);
         let (text, style) = match notice.kind {
             NoticeKind::Done => (format!(" {}", cut(&text, room, ellipsis)), theme.title),
             NoticeKind::Failed | NoticeKind::NotListed | NoticeKind::Standing => {

@@ -16,8 +16,11 @@ use crate::tui::widgets::table;
 
 /// One line about the cell under the cursor: what happened, what is wrong, what can be typed.
 pub fn render(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let Message { text, more, style } = message(editing, keys, theme);
+    let Message { text, mut more, is_listed, style } = message(editing, keys, theme);
     let width = usize::from(area.width).saturating_sub(2);
+    if is_listed && more.is_empty() && printable(&text).width() > width {
+        more = format!(" ({}: in full)", keys.of(Action::Findings));
+    }
     let text = cut(&printable(&text), width.saturating_sub(more.width()), theme.glyphs.ellipsis) + &more;
     buffer.set_stringn(area.x + 1, area.y, text, width, style);
 }
@@ -26,12 +29,14 @@ struct Message {
     text: String,
     /// Stays where the text has to be cut.
     more: String,
+    /// The list of findings has it in full.
+    is_listed: bool,
     style: Style,
 }
 
 impl Message {
     fn new(text: String, style: Style) -> Self {
-        Self { text, more: String::new(), style }
+        Self { text, more: String::new(), is_listed: false, style }
     }
 }
 
@@ -40,6 +45,10 @@ fn message(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme) -> Message {
     if let Some(input) = &editing.input {
         return match (&input.error, editing.target()) {
             (Some(error), _) => Message::new(format!("{broken} {error}"), theme.error),
+            (None, Some(cell)) if input.is_selected => {
+                let text = format!("Typing replaces it, moving the cursor keeps it. {}", about_cell(cell, keys));
+                Message::new(text, theme.faint)
+            }
             (None, Some(cell)) => Message::new(about_cell(cell, keys), theme.faint),
             (None, None) => Message::new("a name".into(), theme.faint),
         };
@@ -58,10 +67,11 @@ fn message(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme) -> Message {
         } else {
             String::new()
         };
-        return Message { text: format!("{mark} {}{hint}", finding.message), more, style };
+        return Message { text: format!("{mark} {}{hint}", finding.message), more, is_listed: true, style };
     }
     if let Some(reason) = editing.design.as_ref().and_then(|design| editing.solving.failure(design)) {
-        return Message::new(format!("{broken} cannot be solved: {reason}"), theme.error);
+        let text = format!("{broken} cannot be solved: {reason}");
+        return Message { is_listed: true, ..Message::new(text, theme.error) };
     }
     let cursor = editing.cursor();
     let text = match (editing.target(), editing.view.place(cursor.row, cursor.column)) {
@@ -82,10 +92,13 @@ fn findings_here(editing: &Editing) -> Vec<usize> {
         Some(entry) => entry.findings.clone(),
         None => editing.view.findings(cursor.row, cursor.column),
     };
-    if !places.is_empty() || editing.view.is_turned() {
+    if !places.is_empty() {
         return places;
     }
     let row = editing.view.row(cursor.row);
+    if editing.view.is_turned() {
+        return row.map_or(Vec::new(), |row| editing.findings_of_table(&row.path));
+    }
     let is_of_cell = |at: &usize| row.is_some_and(|row| row.cells.iter().any(|cell| cell.findings.contains(at)));
     let of_row = row.into_iter().flat_map(|row| &row.findings).copied().filter(|at| !is_of_cell(at));
     of_row.chain(editing.view.list_findings().iter().copied()).collect()

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  header
-//!  1 segments [2 bearings] 3 bodies ...
+//!  F1 segments [F2 bearings] F3 bodies ...
 //! ┌ pinion bearings ────────────────────────────────────────────────┐
 //! │ table                                                           │
 //! └ length 170 mm, mass 1.9 kg ─────────────────────────────────────┘
@@ -52,7 +52,7 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let keys = app.keys.names(Mode::Table, theme.glyphs.ascii);
     if let Some(editing) = app.editors.open_mut() {
         editor_header::render(editing, live, &keys, &theme, row(0, 1), buffer);
-        tabs::render(editing.tab, &keys, &theme, row(1, 1), buffer);
+        tabs::render(editing, &keys, &theme, row(1, 1), buffer);
         cursor = render_body(editing, live, &keys, &theme, body, buffer);
         spectra::render_figures(editing, &theme, row(last - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
         message::render(editing, &keys, &theme, row(last - 1, 1), buffer);
@@ -118,14 +118,13 @@ fn render_layers(
         let place = Rect { x: inner.x + 1, y, width: inner.width.min(30), height: 1 };
         return Some(cell_input::render(input, place, theme, inner, buffer));
     }
-    let count = editing.findings().len();
     let mut layer = editing.layer.take();
     let mut cursor = None;
     match &mut layer {
         Some(Layer::Choice(choice)) => choice::render(choice, cell, theme, area, buffer),
         Some(Layer::Findings(list)) => {
-            list.cursor = list.cursor.min(count.saturating_sub(1));
-            findings::render(editing.findings(), list, theme, area, buffer);
+            let is_open = editing.wants_solution();
+            findings::render(editing, is_open, list, theme, area, buffer);
         }
         Some(Layer::Form(form)) => {
             let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

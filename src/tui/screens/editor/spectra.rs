@@ -3,15 +3,16 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use unicode_width::UnicodeWidthStr;
 
-use crate::text::wrap;
+use crate::text::{cut, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::Scroll;
 use crate::tui::editor::Editing;
 use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::{difference_strip, figures, findings, plot, spectrum, text_pane};
+use crate::tui::widgets::{difference_strip, figures, plot, spectrum, text_pane};
 
 /// Whether the spectra are those of the design as it is now, and if not, why.
 fn state(editing: &Editing, live: bool, keys: &KeyNames<'_>) -> String {
@@ -70,10 +71,19 @@ pub fn render(editing: &mut Editing, live: bool, keys: &KeyNames<'_>, theme: &Th
     panel::bottom(area, buffer, &Title { left: Vec::new(), right }, false, theme);
     if let Some(why) = why {
         let room = usize::from(upper.width.saturating_sub(plot::GUTTER + 3));
-        let lines = wrap(&format!("{} {why}", theme.glyphs.broken), room);
-        for (line, y) in lines.iter().take(3).zip(upper.top()..upper.bottom()) {
+        let mut lines = wrap(&format!("{} {why}", theme.glyphs.broken), room);
+        // the frequencies stay in sight
+        let most = usize::from(upper.height.saturating_sub(plot::AXIS_ROWS)).max(1);
+        if lines.len() > most {
+            lines.truncate(most);
+            if let Some(last) = lines.last_mut() {
+                *last = cut(&format!("{last}{}", " ".repeat(room)), room, theme.glyphs.ellipsis);
+            }
+        }
+        for (line, y) in lines.iter().zip(upper.top()..upper.bottom()) {
             let x = upper.x + plot::GUTTER;
-            buffer.set_stringn(x, y, format!(" {line} "), room + 2, theme.error);
+            let gap = " ".repeat(room.saturating_sub(line.width()));
+            buffer.set_stringn(x, y, format!(" {line}{gap} "), room + 2, theme.error);
         }
     }
 }
@@ -81,7 +91,10 @@ pub fn render(editing: &mut Editing, live: bool, keys: &KeyNames<'_>, theme: &Th
 /// Why the design as it is now has no solution.
 fn why_not(editing: &Editing) -> Option<String> {
     match &editing.design {
-        None => editing.editor.reading().errors().next().map(findings::sentence),
+        None => {
+            let first = editing.editor.reading().errors().next()?;
+            editing.sentences(std::slice::from_ref(first)).pop()
+        }
         Some(design) => editing.solving.failure(design).map(str::to_owned),
     }
 }
