@@ -107,6 +107,20 @@ fn no_file_strands_anyone() {
     }
 }
 
+/// A line for all modes holds where nobody misses the key.
+#[test]
+fn a_line_for_all_modes_leaves_a_question_its_answer() {
+    let action = |keys: &Keys, mode: &str, key: &str| {
+        let key = Key::parse(key).unwrap();
+        let found = keys.bound().iter().find(|bound| bound.mode.name() == mode && bound.key == key);
+        found.map(|bound| bound.action)
+    };
+    let remapped = read("[all]\ns = \"none\"\n");
+    assert_eq!(remapped.findings, []);
+    assert_eq!(action(&remapped.keys, "table", "s"), None);
+    assert_eq!(action(&remapped.keys, "leave", "s"), Some(Action::SaveAll));
+}
+
 /// With ASCII as it is, otherwise with arrows in place of four names.
 #[test]
 fn every_key_that_is_shown_can_be_written() {

@@ -34,7 +34,7 @@ fn points_80x24_ascii() {
 #[test]
 fn blocks_in_the_tables_120x40() {
     let stems = ["overhung-elastic"];
-    assert_snapshot!(Screen::with(&stems, 120, 40, UNICODE, Shelf::shipped()).keys("e2bllllc2e8<Enter>").text());
+    assert_snapshot!(Screen::with(&stems, 120, 40, UNICODE, Shelf::shipped()).keys("e<F2>bllllc2e8<Enter>").text());
 }
 
 /// The cycle says what it has come to, on every screen, and all of it changes.
@@ -42,7 +42,7 @@ fn blocks_in_the_tables_120x40() {
 fn the_marker_is_in_force_on_every_screen_with_a_picture() {
     let stems = ["overhung-elastic", "overhung-rigid"];
     let has_braille = |text: &str| text.chars().any(|shown| ('\u{2801}'..='\u{28ff}').contains(&shown));
-    for keys in ["", "mjc", "e2", "e2?<Esc>"] {
+    for keys in ["", "mjc", "e<F2>", "e<F2>?<Esc>"] {
         let mut screen = Screen::with(&stems, 120, 40, UNICODE, Shelf::shipped());
         screen.keys(keys);
         assert!(has_braille(&screen.text()), "{}", screen.text());

@@ -181,6 +181,11 @@ impl Reader {
                     self.lines.iter().rposition(takes).map(|at| (at, mode, action))
                 });
             let Some((at, mode, action)) = lost else { return keys };
+            if self.lines[at].general && !ESSENTIAL.contains(&action) {
+                // in all other modes it does what is meant
+                self.lines[at].modes.retain(|other| *other != mode);
+                continue;
+            }
             let line = self.lines.remove(at);
             let message = format!("this would leave no key for `{}` in [{}]", action.name(), mode.name());
             self.error(line.span, message, Some("the line is left out; bind another key to it first".into()));
