@@ -157,7 +157,7 @@ impl<'a, 'o> Progress<'a, 'o> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::{BearingModel, library::SHIPPED, read};
+    use crate::design::{BearingModel, Hold, library::SHIPPED, read};
 
     /// A shaft's coordinates as one group, which is the longest that a comparison can work without a word.
     fn coupled(elements: usize) -> Design {
@@ -212,10 +212,15 @@ mod tests {
         let gear = compare(&design).unwrap_err().to_string();
         assert!(gear.starts_with("gear shaft: nothing holds it"), "{gear}");
         for bearing in &mut design.pinion.bearings {
-            bearing.model = BearingModel::Matrix([[0.0; 6]; 6]);
+            bearing.model = BearingModel::Rigid(Hold { x: true, y: false, z: true });
         }
         let both = compare(&design).unwrap_err().to_string();
         assert!(both.starts_with("pinion shaft: nothing holds it") && both.ends_with(&format!("; {gear}")), "{both}");
+        for bearing in &mut design.pinion.bearings {
+            bearing.model = BearingModel::Matrix([[0.0; 6]; 6]);
+        }
+        let alike = compare(&design).unwrap_err().to_string();
+        assert_eq!(alike, gear.replace("gear shaft", "both shafts"));
     }
 
     #[test]

@@ -176,6 +176,11 @@ pub struct Rotors {
 pub struct RotorsError(pub Vec<(Side, RotorError)>);
 
 fn sentences(errors: &[(Side, RotorError)]) -> String {
+    if let [(_, pinion), (_, gear)] = errors
+        && pinion == gear
+    {
+        return format!("both shafts: {pinion}");
+    }
     let sentence = |(side, error): &(Side, RotorError)| format!("{} shaft: {error}", side.name());
     errors.iter().map(sentence).collect::<Vec<_>>().join("; ")
 }
