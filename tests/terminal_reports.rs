@@ -128,7 +128,7 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     terminal.wait_for_text(FRAME);
     terminal.press("e");
     terminal.wait_for_text("[1 segments]");
-    terminal.press("2");
+    terminal.press("\x1bOQ");
     terminal.wait_for_text("[2 bearings]");
     terminal.press("lc0.0555\r");
     terminal.wait_for_text("a * ");
@@ -191,7 +191,7 @@ fn a_copied_cell_goes_to_the_terminal_once() {
         terminal.wait_for_text(FRAME);
         terminal.press("e");
         terminal.wait_for_text("[1 segments]");
-        terminal.press("2");
+        terminal.press("\x1bOQ");
         terminal.wait_for_text("[2 bearings]");
         terminal.press("ly");
         terminal.wait_for_text("sent to terminal: 55.0 mm");

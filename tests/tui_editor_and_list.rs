@@ -64,7 +64,7 @@ fn a_saved_design_is_shown_anew_when_its_tables_are_closed() {
         |screen: &Screen| screen.text().lines().filter(|line| line.contains("trust up to")).collect::<String>();
     screen.keys("<Esc>");
     let before = figures(&screen);
-    screen.keys("e2llllc2e8<Enter>s<Esc>");
+    screen.keys("e<F2>llllc2e8<Enter>s<Esc>");
     assert_eq!(screen.app.mode, Mode::Library);
     assert_ne!(figures(&screen), before, "{}", screen.text());
 }
@@ -75,7 +75,7 @@ fn a_filter_that_no_longer_fits_leaves_the_open_tables_their_solution() {
     screen.keys("<Esc>/both overhung<Enter>e");
     screen.held = true;
     screen.effects.clear();
-    screen.keys("8cother<Enter>s1c41<Enter>");
+    screen.keys("<F8>cother<Enter>s<F1>c41<Enter>");
     // as if the library had read it again before the solution came
     let fill = screen.effects.iter().find_map(|effect| match effect {
         Effect::Fill(jobs) => jobs.first().cloned(),

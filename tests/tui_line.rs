@@ -73,7 +73,7 @@ fn bytes_of(line: &mut Line, screen: &mut Screen, keys: &str) -> usize {
 }
 
 /// To the stiffness kx of the pinion's first bearing.
-const TO_BEARING: &str = "e2llll";
+const TO_BEARING: &str = "e<F2>llll";
 
 #[test]
 fn a_slow_line_carries_what_is_needed_and_no_more() {
@@ -118,7 +118,7 @@ const SCRIPTS: [&str; 4] = [
     "jbbjbb",
     "?/move<Enter><Esc><Esc>:cycle<Enter>:toggle-background<Enter>",
     "mjc<Esc>/over<Esc>rdritte 歯車<Esc>",
-    "e2llllc6.06e8<Enter>kl9<Esc>f<Esc>:help<Esc>3c\u{301}<Esc>u<Esc>",
+    "e<F2>llllc6.06e8<Enter>kl9<Esc>f<Esc>:help<Esc><F3>c\u{301}<Esc>u<Esc>",
 ];
 
 #[test]
@@ -224,7 +224,7 @@ fn the_writer_is_worth_its_lines() {
         counted.take()
     };
     usual_bytes(&mut screen.app);
-    for key in keys("jke2llll").into_iter().chain(["l", "j", "hkc6.06e8<Enter>"]) {
+    for key in keys("jke<F2>llll").into_iter().chain(["l", "j", "hkc6.06e8<Enter>"]) {
         let bytes = bytes_of(&mut line, &mut screen, key);
         let usual = usual_bytes(&mut screen.app);
         println!("{key}: {bytes}, usually {usual}");
