@@ -169,7 +169,7 @@ fn ascii_stays_ascii_whatever_the_curves_are_drawn_with() {
         terminal.press("q");
         terminal.wait_for_text("Designs 2 of 3");
         terminal.press("e");
-        terminal.wait_for_text("[1 segments]");
+        terminal.wait_for_text("[F1 segments]");
         terminal.press("2b");
         terminal.wait_for_text("curves: ASCII letters");
         terminal.press("?");

@@ -127,9 +127,9 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     let mut terminal = Terminal::program(&["--log", &named, &shown], &[]);
     terminal.wait_for_text(FRAME);
     terminal.press("e");
-    terminal.wait_for_text("[1 segments]");
+    terminal.wait_for_text("[F1 segments]");
     terminal.press("\x1bOQ");
-    terminal.wait_for_text("[2 bearings]");
+    terminal.wait_for_text("[F2 bearings]");
     terminal.press("lc0.0555\r");
     terminal.wait_for_text("a * ");
     terminal.press("s");
@@ -190,9 +190,9 @@ fn a_copied_cell_goes_to_the_terminal_once() {
         let mut terminal = Terminal::program(&[DESIGNS], &[environment]);
         terminal.wait_for_text(FRAME);
         terminal.press("e");
-        terminal.wait_for_text("[1 segments]");
+        terminal.wait_for_text("[F1 segments]");
         terminal.press("\x1bOQ");
-        terminal.wait_for_text("[2 bearings]");
+        terminal.wait_for_text("[F2 bearings]");
         terminal.press("ly");
         terminal.wait_for_text("sent to terminal: 55.0 mm");
         terminal.press("q");
