@@ -15,7 +15,7 @@
 //!
 //! | module | what it holds | where in the paper |
 //! | --- | --- | --- |
-//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library | |
+//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library, journals and locks | |
 //! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
 //! | [`model`] | the finite element, lumped and reduced models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
 //! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh, forces of the bearings | 2, 4 |
@@ -24,7 +24,8 @@
 //! | [`report`] | results as tables, CSV and JSON | |
 //! | [`commands`] | the command line, one file a subcommand | |
 //! | [`tui`] | the terminal explorer | |
-//! | [`units`], [`text`] | quantities at the edges; foreign text made harmless | |
+//! | [`log`], [`crash`] | what happened, for `--log`; the report of a mistake in the program | |
+//! | [`units`], [`text`], [`moment`] | quantities and times at the edges; foreign text made harmless | |
 //!
 //! ```
 //! use bevelscope::{comparison::compare, design::{library::SHIPPED, read}};
@@ -53,14 +54,21 @@
 //!   (`tests/design_edit_properties.rs`).
 //! - Every field of the schema can be seen and edited as a cell (`tests/design_grid.rs`).
 //! - Who reads a file while it is saved sees the old one or the new one (`tests/design_saving.rs`).
+//! - An accepted edit survives the program, however it ends (`tests/terminal_recovery.rs`, `tests/recovery_journal.rs`).
+//! - What somebody else has saved is never overwritten unseen (`tests/tui_recovery.rs`, `tests/recovery_journal.rs`).
 //! - No `unwrap` and no `panic!` outside tests (`tests/invariants.rs`, and the lints in `Cargo.toml`).
 //! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
+//! - A frame is one synchronized update; where nothing has changed, nothing is written (`tests/tui_line.rs`,
+//!   `tests/terminal_jobs.rs`). With `--ascii` no byte beyond 127 is (`tests/terminal_jobs.rs`).
 
 pub mod agreement;
 pub mod commands;
 pub mod comparison;
+pub mod crash;
 pub mod design;
+pub mod log;
 pub mod model;
+pub mod moment;
 pub mod number;
 pub mod report;
 pub mod response;

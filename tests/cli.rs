@@ -336,6 +336,7 @@ fn values_that_overflow_name_their_result() {
         ("mass_kg = 3.67", "mass_kg = 1e308", vec!["gear shaft"]),
         ("kx_n_per_m = 6.0e8", "kx_n_per_m = 1e308", vec!["pinion shaft"]),
         ("inertia_kg_m2 = 0.3", "inertia_kg_m2 = 1e308", vec!["gear shaft"]),
+        ("length_mm = 36.0", "length_mm = 1e308", vec!["pinion shaft: the centre of mass is too large"]),
     ] {
         assert!(text.contains(from), "{from}");
         let (_folder, file) = folder_with("huge.toml", text.replacen(from, to, 1));

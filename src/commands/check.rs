@@ -7,12 +7,12 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError, mpsc};
 
 use super::{CommandError, Format, Status};
-use crate::agreement::{Agreement, PeakPair, reduced_modes_for};
+use crate::agreement::reduced_modes_for;
 use crate::comparison;
 use crate::design::{self, LoadError, library};
 use crate::model::Rotors;
 use crate::number::grouped;
-use crate::report::{Table, json};
+use crate::report::{Figures, Table, json};
 use crate::text::printable;
 
 /// How close a reduced model should come to finite elements in every sixth-octave band, dB; part of the key's name in JSON.
@@ -108,40 +108,9 @@ enum Row {
     },
 }
 
-#[derive(serde::Serialize)]
-struct Figures {
-    rms_db: f64,
-    max_db: f64,
-    max_at_hz: f64,
-    frac: f64,
-    agreement_limit_hz: f64,
-    peaks: Vec<Peak>,
-}
-
-#[derive(serde::Serialize)]
-struct Peak {
-    fe_hz: Option<f64>,
-    lumped_hz: Option<f64>,
-    shift_percent: Option<f64>,
-    height_db: Option<f64>,
-}
-
 impl Row {
     fn failed(file: &Path, error: String) -> Self {
         Self::Failed { file: file.display().to_string(), error }
-    }
-}
-
-impl From<Agreement> for Figures {
-    fn from(agreement: Agreement) -> Self {
-        let Agreement { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks } = agreement;
-        let peak = |PeakPair { fe_hz, lumped_hz, shift_percent, height_db }| Peak {
-            fe_hz,
-            lumped_hz,
-            shift_percent,
-            height_db,
-        };
-        Self { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks: peaks.into_iter().map(peak).collect() }
     }
 }
 
@@ -205,8 +174,8 @@ fn checked(file: &Path, args: &Args) -> Row {
         design: design.name.clone(),
         band_hz: args.band.map_or(all_lines, |band| band.0),
         within_limits: limited.then_some(within),
-        enhanced: compared.enhanced_agreement.into(),
-        basic: compared.basic_agreement.into(),
+        enhanced: (&compared.enhanced_agreement).into(),
+        basic: (&compared.basic_agreement).into(),
         reduced_modes_for_1_db: reduced_modes,
         warnings,
     }

@@ -3,7 +3,9 @@
 mod bands;
 mod check;
 mod compare;
+mod doctor;
 mod explore;
+mod guard;
 mod input;
 mod inspect;
 mod keys;
@@ -50,6 +52,8 @@ enum Command {
     Compare(compare::Args),
     /// The keys of the explorer, with those of the user's file
     Keys(keys::Args),
+    /// What the program sees of terminal, folders and designs in use: for bug reports
+    Doctor(doctor::Args),
 }
 
 /// How a program that did its work ended.
@@ -122,6 +126,7 @@ impl Cli {
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
             Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,
+            Some(Command::Doctor(args)) => doctor::run(args, &mut out)?,
         };
         out.flush()?;
         Ok(status)

@@ -15,8 +15,9 @@ pub fn rotor(design: &Design, rotor: &Rotor, side: Side) -> RotorModel {
     let n = kept.len();
     let mut stiffness = DMatrix::zeros(n + 1, n + 1);
     let mut mass = DMatrix::zeros(n + 1, n + 1);
-    for (row, &i) in kept.iter().enumerate() {
-        for (column, &j) in kept.iter().enumerate() {
+    // column by column, as they lie in memory
+    for (column, &j) in kept.iter().enumerate() {
+        for (row, &i) in kept.iter().enumerate() {
             stiffness[(row, column)] = shaft.stiffness[(i, j)];
             mass[(row, column)] = shaft.mass[(i, j)];
         }

@@ -3,6 +3,7 @@
 //! The finite element model and both lumped models end up as the same small struct [`Model`]; damping, excitation and response are
 //! written once for all of them.
 
+mod caveat;
 mod eigen;
 mod fe;
 mod kind;
@@ -10,16 +11,19 @@ mod lumped;
 mod mesh;
 mod recovery;
 mod reduced;
+mod tridiagonal;
 
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-pub use eigen::{RotorModes, natural_modes};
+pub use caveat::{Caveat, CaveatKind};
+pub use eigen::{RotorModes, WorkDone, modes_work, natural_modes, natural_modes_over};
 pub use kind::{ModelKind, UnknownModel};
 pub use lumped::LumpedMass;
 pub use mesh::{mesh_vector, pinion_speed_rpm};
 pub use recovery::{Bearing, Recovery, RecoveryKind};
 pub use reduced::CraigBampton;
+pub use tridiagonal::QrError;
 
 use crate::design::{DampingModel, Design, Side};
 use crate::rotor::{Motion, Rotor, RotorError};
@@ -191,21 +195,38 @@ pub struct Rotors {
     pub gear: Rotor,
 }
 
-/// A [`RotorError`] with the rotor it concerns.
+/// What is wrong with one rotor, or with both.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{} shaft: {error}", side.name())]
-pub struct RotorsError {
-    pub side: Side,
-    pub error: RotorError,
+#[error("{}", sentences(.0))]
+pub struct RotorsError(pub Vec<(Side, RotorError)>);
+
+fn sentences(errors: &[(Side, RotorError)]) -> String {
+    if let [(_, pinion), (_, gear)] = errors
+        && pinion == gear
+    {
+        return format!("both shafts: {pinion}");
+    }
+    let sentence = |(side, error): &(Side, RotorError)| format!("{} shaft: {error}", side.name());
+    errors.iter().map(sentence).collect::<Vec<_>>().join("; ")
 }
 
 impl Rotors {
     /// # Errors
     ///
-    /// [`RotorsError`] names the rotor that cannot be built or is not held.
+    /// [`RotorsError`] names each rotor that cannot be built or is not held.
     pub fn new(design: &Design) -> Result<Self, RotorsError> {
-        let build = |side, rotor| Rotor::new(design, rotor).map_err(|error| RotorsError { side, error });
-        Ok(Self { pinion: build(Side::Pinion, &design.pinion)?, gear: build(Side::Gear, &design.gear)? })
+        match [&design.pinion, &design.gear].map(|rotor| Rotor::new(design, rotor)) {
+            [Ok(pinion), Ok(gear)] => Ok(Self { pinion, gear }),
+            [pinion, gear] => {
+                let errors = [(Side::Pinion, pinion.err()), (Side::Gear, gear.err())];
+                Err(RotorsError(errors.into_iter().filter_map(|(side, error)| Some((side, error?))).collect()))
+            }
+        }
+    }
+
+    /// What the enhanced model rests on besides the first bending modes.
+    pub fn caveats(&self) -> Vec<Caveat> {
+        caveat::of(self)
     }
 
     pub fn get(&self, side: Side) -> &Rotor {

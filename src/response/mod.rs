@@ -18,7 +18,7 @@ pub use deflection::{StationShape, mode_shape, operating_deflection};
 pub use direct::direct_spectrum;
 pub use modes::{EnergyShare, Mode, Modes};
 pub use refined::refined_lines;
-pub use rotor_modes::{both_rotor_modes, rotor_modes};
+pub use rotor_modes::{both_rotor_modes, rotor_modes, rotor_modes_over};
 pub use spectrum::{Spectrum, frequency_lines};
 
 use crate::design::Side;
@@ -34,4 +34,6 @@ pub enum ResponseError {
     ModesNotFinite,
     #[error("the {what} is too large or too small to compute with at {at_hz:?} Hz")]
     LineNotFinite { what: &'static str, at_hz: f64 },
+    #[error("cancelled")]
+    Cancelled,
 }

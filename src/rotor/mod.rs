@@ -114,8 +114,10 @@ impl Rotor {
     pub fn new(design: &Design, rotor: &RotorDesign) -> Result<Self, RotorError> {
         let stations = Stations::new(design, rotor)?;
         let supports = Supports::new(rotor)?;
-        assembly::check_supported(&stations, &supports)?;
+        // first: beside a length that overflows no bearing seems to hold anything
         let totals = Totals::new(rotor, &stations);
+        totals.check_finite()?;
+        assembly::check_supported(&stations, &supports)?;
         let coarse = stations.coarsened();
         let statics = Statics::new(rotor, &coarse, &supports)?;
         let [bending_x, bending_z] = bending::in_both_planes(rotor, &coarse, &supports, &statics)?;
