@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use bevelscope::bearing::{Bearing, Data, Held, Kind, Vector, equilibrium};
-use bevelscope::comparison::{compare, solve};
+use bevelscope::comparison::{compare, solve, solve_with_bearings};
 use bevelscope::design::{self, Design};
 use bevelscope::model::{Model, ModelKind, Rotors};
 use bevelscope::response::{Modes, direct_spectrum, frequency_lines};
@@ -85,7 +85,7 @@ impl Random {
 fn kernels(design: &Design, text: &str) {
     let rotors = Rotors::new(design).expect("rotors");
     let lines = frequency_lines(&design.analysis);
-    let fe = Model::new(ModelKind::Fe, design, &rotors);
+    let fe = Model::new(ModelKind::Fe, design, &rotors).expect("model");
     let direct = median(3, || drop(black_box(direct_spectrum(&fe, &lines))));
     println!("direct solve, FE, dense complex LU a line    {:>10}", shown(direct));
     let beside = |name: &str, time: Duration| {
@@ -94,10 +94,12 @@ fn kernels(design: &Design, text: &str) {
     };
     beside("comparison: 3 models, 3 spectra, agreement", median(51, || drop(black_box(compare(design)))));
     beside("  rotors: statics and bending modes", median(51, || drop(black_box(Rotors::new(design)))));
-    for kind in ModelKind::ALL {
+    for kind in ModelKind::ALL.into_iter().chain([ModelKind::Reduced(3)]) {
         let time = median(51, || drop(black_box(solve(kind, design, &rotors, &lines))));
         beside(&format!("  {}: model, modes, spectrum", kind.name()), time);
     }
+    let forces = || drop(black_box(solve_with_bearings(ModelKind::Fe, design, &rotors, &lines)));
+    beside("  fe with the forces of all bearings", median(51, forces));
     beside("all modes of FE with the mesh", median(11, || drop(black_box(Modes::new(&fe, usize::MAX)))));
     beside("reading the design file", median(51, || drop(black_box(design::read(text)))));
 }

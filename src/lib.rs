@@ -17,16 +17,17 @@
 //! | --- | --- | --- |
 //! | [`gear`] | gear data to mesh points, lines of action, tooth forces | |
 //! | [`bearing`] | ball and roller bearings: loads, stiffness, equilibrium (Lim and Singh) | 2 |
-//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library | |
+//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library, journals and locks | |
 //! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
-//! | [`model`] | the finite element and the lumped models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
-//! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh | 2, 4 |
-//! | [`agreement`] | differences in dB, the agreement limit, peaks and modes paired | 4 |
+//! | [`model`] | the finite element, lumped and reduced models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
+//! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh, forces of the bearings | 2, 4 |
+//! | [`agreement`] | differences in dB, the agreement limit, peaks and modes paired, bands of disagreement and their causes | 4 |
 //! | [`comparison`] | all of that for a design, in one call | |
 //! | [`report`] | results as tables, CSV and JSON | |
 //! | [`commands`] | the command line, one file a subcommand | |
 //! | [`tui`] | the terminal explorer | |
-//! | [`units`], [`text`] | quantities at the edges; foreign text made harmless | |
+//! | [`log`], [`crash`] | what happened, for `--log`; the report of a mistake in the program | |
+//! | [`units`], [`text`], [`moment`] | quantities and times at the edges; foreign text made harmless | |
 //!
 //! ```
 //! use bevelscope::{comparison::compare, design::{library::SHIPPED, read}};
@@ -48,6 +49,7 @@
 //! - Inside the program a number is SI, a frequency in Hz or rad/s as its name says; every number that leaves it has a unit in
 //!   its key or header (`tests/invariants.rs`, `tests/cli.rs`).
 //! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
+//! - The forces of bearings, mesh and drive on a shaft are what accelerates its mass (`tests/bearing_forces.rs`).
 //! - Loads of a bearing are the gradient of one convex energy, its stiffness the derivative of the loads (`tests/bearing`).
 //! - A bearing without contact has no stiffness matrix: it is an error (`tests/bearing`, `tests/mean_states.rs`).
 //! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
@@ -57,16 +59,23 @@
 //!   (`tests/design_edit_properties.rs`).
 //! - Every field of the schema can be seen and edited as a cell (`tests/design_grid.rs`).
 //! - Who reads a file while it is saved sees the old one or the new one (`tests/design_saving.rs`).
+//! - An accepted edit survives the program, however it ends (`tests/terminal_recovery.rs`, `tests/recovery_journal.rs`).
+//! - What somebody else has saved is never overwritten unseen (`tests/tui_recovery.rs`, `tests/recovery_journal.rs`).
 //! - No `unwrap` and no `panic!` outside tests (`tests/invariants.rs`, and the lints in `Cargo.toml`).
 //! - No control character of a file reaches a terminal (`tests/cli.rs`, `tests/tui_robust.rs`).
+//! - A frame is one synchronized update; where nothing has changed, nothing is written (`tests/tui_line.rs`,
+//!   `tests/terminal_jobs.rs`). With `--ascii` no byte beyond 127 is (`tests/terminal_jobs.rs`).
 
 pub mod agreement;
 pub mod bearing;
 pub mod commands;
 pub mod comparison;
+pub mod crash;
 pub mod design;
 pub mod gear;
+pub mod log;
 pub mod model;
+pub mod moment;
 pub mod number;
 pub mod report;
 pub mod response;

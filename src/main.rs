@@ -4,10 +4,12 @@ use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
 use bevelscope::commands::Cli;
+use bevelscope::crash;
 use bevelscope::text::printable;
 use clap::Parser;
 
 fn main() -> ExitCode {
+    crash::install();
     let cli = match parse() {
         Ok(cli) => cli,
         Err(status) => return status,

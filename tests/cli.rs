@@ -93,10 +93,137 @@ fn models_are_chosen_and_ordered() {
 }
 
 #[test]
+fn reduced_models_stand_beside_the_others() {
+    let models = ["reduced:3,fe,reduced:0", "--format"];
+    let json = bevelscope(&[["solve", &elastic(), "--model"].as_slice(), &models, &["json"]].concat());
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["models"].as_object().unwrap().keys().collect::<Vec<_>>(), ["fe", "reduced_0", "reduced_3"]);
+    assert_eq!(
+        (&json["models"]["reduced_3"]["coordinates"], &json["models"]["reduced_0"]["coordinates"]),
+        (&20.into(), &14.into())
+    );
+    let csv = bevelscope(&[["solve", &elastic(), "--model"].as_slice(), &models, &["csv"]].concat());
+    let header = stdout(&csv).lines().next().unwrap();
+    assert!(header.starts_with("frequency_hz,reduced_3_mesh_force_n_re,reduced_3_mesh_force_n_im,"), "{header}");
+    let json = bevelscope(&[["modes", &elastic(), "--model"].as_slice(), &models, &["json"]].concat());
+    let json: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["models"]["reduced_3"].as_array().unwrap().len(), 20);
+    assert_eq!(json["models"]["reduced_3"][1]["paired_with"]["fe_mode"], 1);
+    for format in ["solve", "modes"] {
+        let table = bevelscope(&[[format, &elastic(), "--model"].as_slice(), &models, &["table"]].concat());
+        assert!(table.status.success() && stdout(&table).lines().all(|line| line.chars().count() <= 80));
+    }
+    for wrong in ["reduced", "reduced:x", "reduced:-1", "fem"] {
+        refused(&["solve", &elastic(), "--model", wrong], &[wrong, "reduced:K"]);
+    }
+    let check = bevelscope(&["check", designs().to_str().unwrap(), "--format", "json"]);
+    let check: Value = serde_json::from_slice(&check.stdout).unwrap();
+    let modes = [0, 1, 2].map(|row: usize| check[row]["reduced_modes_for_1_db"].as_u64());
+    assert_eq!(modes, [Some(2), Some(1), Some(6)]);
+}
+
+#[test]
+fn bearing_forces_are_columns_with_safe_names() {
+    let name = r#"left, \u001b[31m\"A\""#;
+    let text = elastic_text().replacen("name = \"B1\"", &format!("name = \"{name}\""), 1);
+    assert_ne!(text, elastic_text());
+    let (_folder, file) = folder_with("named.toml", text);
+    let run = |format: &str| {
+        let output = bevelscope(&["solve", &file, "--model", "fe,basic", "--bearing-forces", "--format", format]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        assert!(!output.stdout.contains(&0x1b), "{format}");
+        stdout(&output).to_owned()
+    };
+    let (csv, json): (String, Value) = (run("csv"), serde_json::from_str(&run("json")).unwrap());
+    let header = csv.split("\r\n").next().unwrap();
+    let first = "fe_bearing_gear_left, \\u{1b}[31m\"\"A\"\"_fx_n_re";
+    assert!(header.contains(&format!(",\"{first}\",")), "{header}");
+    assert!(header.ends_with(",basic_bearing_gear_B2_mz_n_m_re,basic_bearing_gear_B2_mz_n_m_im"), "{header}");
+    let row: Vec<f64> = csv.split("\r\n").nth(8).unwrap().split(',').map(|cell| cell.parse().unwrap()).collect();
+    let mut at = 9;
+    for (model, how) in [("fe", "exact"), ("basic", "recovered by static shapes")] {
+        let forces = &json["models"][model]["bearing_forces"];
+        assert_eq!(forces["displacements"], how);
+        for (i, rotor) in ["pinion", "pinion", "gear", "gear"].into_iter().enumerate() {
+            let bearing = &forces["bearings"][i];
+            assert_eq!(bearing["rotor"], rotor);
+            let mut squares = 0.0;
+            for component in ["fx_n", "fy_n", "fz_n", "mx_n_m", "my_n_m", "mz_n_m"] {
+                for part in ["re", "im"] {
+                    let value = bearing[component][part][7].as_f64().unwrap();
+                    assert_eq!(row[at], value, "{model} {i} {component}");
+                    squares += if component.starts_with('f') { value * value } else { 0.0 };
+                    at += 1;
+                }
+            }
+            let total = bearing["total_n"][7].as_f64().unwrap();
+            assert!((total - squares.sqrt()).abs() < 1e-12 * total);
+        }
+    }
+    assert_eq!(row.len(), at);
+    let table = run("table");
+    assert!(table.contains("recovered by static shapes") && table.lines().all(|line| line.chars().count() <= 80));
+    let without = bevelscope(&["solve", &elastic(), "--format", "json"]);
+    assert!(!stdout(&without).contains("bearing_forces"));
+}
+
+#[test]
+fn modes_have_names_and_shapes_on_request() {
+    let run = |more: &[&str]| -> Value {
+        let output = bevelscope(&[&["modes", &elastic(), "--format", "json"], more].concat());
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let plain = run(&[]);
+    assert!(plain.get("mac").is_none() && plain.get("shapes").is_none());
+    assert_eq!(plain["models"]["fe"][0]["name"], "rigid rotation");
+    assert_eq!(plain["models"]["fe"][1]["name"], "torsion of both");
+    assert_eq!(plain["models"]["fe"][9]["name"], "gear tilt, x-y plane");
+    let shapes = run(&["--shapes"]);
+    let mac = |i: usize, j: usize| shapes["mac"]["enhanced"][i][j].as_f64().unwrap();
+    let pair = &shapes["models"]["enhanced"][6]["paired_with"];
+    assert_eq!(mac(6, pair["fe_mode"].as_u64().unwrap() as usize), pair["mac"].as_f64().unwrap());
+    assert!((shapes["mac"]["fe"][3][3].as_f64().unwrap() - 1.0).abs() < 1e-12);
+    assert_eq!(shapes["shapes"]["basic"]["displacements"], "recovered by static shapes");
+    let turned = &shapes["shapes"]["basic"]["modes"][0]["gear"];
+    let (stations, turning) = (turned["stations_mm"].as_array().unwrap(), turned["thy_rad"].as_array().unwrap());
+    assert_eq!(stations.len(), turning.len());
+    let drive = turned["drive_rad"].as_f64().unwrap();
+    assert!(drive != 0.0 && turning.iter().all(|value| (value.as_f64().unwrap() / drive - 1.0).abs() < 1e-6));
+}
+
+#[test]
+fn bands_say_where_and_why() {
+    let run = |more: &[&str]| {
+        let output = bevelscope(&[&["bands", &elastic()], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        stdout(&output).to_owned()
+    };
+    let json: Value = serde_json::from_str(&run(&["--format", "json"])).unwrap();
+    let bands = json["bands"].as_array().unwrap();
+    assert_eq!((&json["model"], &json["tolerance_db"], bands.len()), (&"enhanced".into(), &3.0.into(), 6));
+    let missing = &bands[4];
+    assert_eq!((&missing["mode"]["name"], &missing["shift"]), (&"gear torsion".into(), &Value::Null));
+    assert!(missing["why"][1].as_str().unwrap().contains("is missing in the enhanced model"));
+    let csv = run(&["--format", "csv"]);
+    let rows: Vec<&str> = csv.split_terminator("\r\n").collect();
+    assert_eq!(rows.len(), 7);
+    assert!(rows[0].starts_with("from_hz,to_hz,worst_db,worst_at_hz,mode,mode_hz,"));
+    let from: Vec<f64> = rows[1..].iter().map(|row| row.split(',').next().unwrap().parse().unwrap()).collect();
+    assert!(from.iter().zip(bands).all(|(from, band)| *from == band["from_hz"].as_f64().unwrap()));
+    let table = run(&["--model", "basic", "--tolerance", "10"]);
+    assert!(table.contains("basic against FE: lines that differ by more than 10 dB") && table.contains("gear lateral"));
+    assert!(run(&["--model", "reduced:99", "--tolerance", "0.1"]).contains("no line differs"));
+    refused(&["bands", &elastic(), "--model", "fe"], &["themselves"]);
+    refused(&["bands", &elastic(), "--tolerance=-1"], &["not negative"]);
+}
+
+#[test]
 fn tables_fit_eighty_columns_and_say_their_units() {
     for (arguments, units) in [
         (vec!["solve", "--format", "table"], vec!["Hz", "F, N", "deg", "um"]),
-        (vec!["modes"], vec!["Hz", "%", "MAC"]),
+        (vec!["modes", "--model", "fe,enhanced,basic,reduced:2"], vec!["Hz", "%", "MAC"]),
+        (vec!["bands"], vec!["Hz", "%", "dB"]),
+        (vec!["bands", "--model", "basic"], vec!["Hz", "%", "dB"]),
         (vec!["inspect"], vec!["mm", "kg", "kg m2", "Hz", "N/m"]),
         (vec!["check"], vec!["limit Hz", "dB", "FRAC"]),
     ] {
@@ -222,6 +349,7 @@ fn values_that_overflow_name_their_result() {
         ("mass_kg = 3.67", "mass_kg = 1e308", vec!["gear shaft"]),
         ("kx_n_per_m = 6.0e8", "kx_n_per_m = 1e308", vec!["pinion shaft"]),
         ("inertia_kg_m2 = 0.3", "inertia_kg_m2 = 1e308", vec!["gear shaft"]),
+        ("length_mm = 36.0", "length_mm = 1e308", vec!["pinion shaft: the centre of mass is too large"]),
     ] {
         assert!(text.contains(from), "{from}");
         let (_folder, file) = folder_with("huge.toml", text.replacen(from, to, 1));

@@ -67,8 +67,9 @@ fn differing_values_come_by_key_path_as_they_are_spelled() {
     assert!(key.starts_with("pinion.bearing[") && key.ends_with("].kx_n_per_m"), "{key}");
     assert_eq!(
         (&difference["a"], &difference["b"], &difference["unit"]),
-        (&"6.0e8".into(), &"7.5e8".into(), &"N/m".into())
+        (&6.0e8.into(), &7.5e8.into(), &"N/m".into())
     );
+    assert_eq!((&difference["a_text"], &difference["b_text"]), (&"6.0e8".into(), &"7.5e8".into()));
     assert!(json["fe_rms_db"].as_f64().unwrap() > 0.0);
     assert_eq!(json["b"]["file"].as_str(), Some(path));
     let output = compare(&[&design("overhung-elastic"), path]);
@@ -147,4 +148,20 @@ fn escape_sequences_are_shown_harmlessly() {
         assert!(!text.contains(|c: char| c != '\n' && bevelscope::text::is_unprintable(c)), "{text:?}");
         assert!(text.contains("evil"), "{text}");
     }
+}
+
+#[test]
+fn a_text_that_looks_like_a_number_stays_a_text_in_json() {
+    let (_folder, path) =
+        edited(&[("name = \"Both overhung, elastic bearings\"", "name = \"12\""), ("elements = 2", "elements = 0x3")]);
+    let json = json(&[&design("overhung-elastic"), path.to_str().unwrap()]);
+    let by_key = |key: &str| {
+        let all = json["differences"].as_array().unwrap();
+        all.iter().find(|difference| difference["key"].as_str().unwrap().ends_with(key)).unwrap().clone()
+    };
+    let name = by_key("name");
+    assert_eq!((&name["b"], &name["b_text"]), (&"12".into(), &"12".into()));
+    let elements = by_key("elements");
+    assert_eq!((elements["a"].as_f64(), elements["b"].as_f64()), (Some(2.0), Some(3.0)));
+    assert_eq!(elements["b_text"], "0x3");
 }

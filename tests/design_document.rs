@@ -130,7 +130,7 @@ fn text_is_written_so_that_it_is_read_back() {
 }
 
 #[test]
-fn every_number_of_a_shipped_design_can_be_edited_alone() {
+fn a_number_is_edited_alone_and_keeps_its_comment() {
     let text = SHIPPED[0].text;
     let before = read(text).design.unwrap();
     let mut document = Document::parse(text).unwrap();

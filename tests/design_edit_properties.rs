@@ -128,7 +128,7 @@ proptest! {
             .map(|cell| cell.path)
             .collect();
         let path = numbers[pick % numbers.len()].clone();
-        editor.apply(&Edit::Set { path, value: Spelled::number(value).unwrap() }).unwrap();
+        editor.apply(&Edit::Set { path, value: Spelled::parse(&format!("{value:?}")).unwrap() }).unwrap();
         let changed: Vec<(&str, &str)> = text.split('\n').zip(editor.text().split('\n')).filter(|(a, b)| a != b).collect();
         prop_assert_eq!(text.matches('\n').count(), editor.text().matches('\n').count());
         prop_assert!(changed.len() <= 1);

@@ -41,7 +41,7 @@ fn differences(path: &Path, severity: Severity, mark: &str) -> Option<String> {
     let mut left: Vec<&Finding> = findings.iter().collect();
     let mut missed = Vec::new();
     for (at, key_path, part) in expected {
-        let fits = |f: &&Finding| line(f) == at && f.key_path == key_path && f.message.contains(part);
+        let fits = |f: &&Finding| line(f) == at && f.shown_path() == key_path && f.message.contains(part);
         match left.iter().position(fits) {
             Some(found) => drop(left.remove(found)),
             None => missed.push(format!("{at}: {key_path}: {part}")),

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bevelscope::design::library::{LibraryError, SHIPPED, default_folder_in, files, load_all};
+use bevelscope::design::library::{LibraryError, SHIPPED, default_folder_in, files};
 use bevelscope::design::{LoadError, load};
 
 fn manifest(path: &str) -> PathBuf {
@@ -18,8 +18,8 @@ fn every_shipped_design_is_compiled_in_and_reads_without_a_warning() {
     let on_disk = files(&[manifest("designs")]);
     let on_disk: Vec<_> = on_disk.iter().map(|path| path.file_name().unwrap().to_str().unwrap()).collect();
     assert_eq!(names, on_disk);
-    for entry in load_all(&[manifest("designs")]) {
-        assert_eq!(entry.loaded.unwrap().warnings, []);
+    for path in files(&[manifest("designs")]) {
+        assert_eq!(load(&path).unwrap().warnings, []);
     }
 }
 
@@ -50,17 +50,31 @@ fn files_come_in_the_order_given_and_folders_by_name() {
     assert_eq!(listed, [single, in_folder("a.toml"), in_folder("b.toml"), missing]);
 }
 
+// Opening it would wait for a writer that never comes.
+#[cfg(unix)]
+#[test]
+fn a_pipe_among_the_designs_is_no_design() {
+    let folder = tempfile::tempdir().unwrap();
+    let design = folder.path().join("a.toml");
+    fs::write(&design, SHIPPED[0].text).unwrap();
+    let pipe = folder.path().join("pipe.toml");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let nowhere = folder.path().join("nowhere.toml");
+    std::os::unix::fs::symlink("gone", &nowhere).unwrap();
+    assert_eq!(files(&[folder.path().to_path_buf()]), [design, nowhere]);
+}
+
 #[test]
 fn one_broken_file_does_not_hide_the_others() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("1-broken.toml"), "format = ").unwrap();
     fs::write(folder.path().join("2-empty.toml"), "").unwrap();
     fs::write(folder.path().join("3-good\u{1b}.toml"), SHIPPED[0].text).unwrap();
-    let entries = load_all(&[folder.path().to_path_buf()]);
-    assert!(matches!(entries[0].loaded, Err(LoadError::Invalid { .. })));
-    assert!(matches!(entries[1].loaded, Err(LoadError::Empty { .. })));
-    assert!(entries[2].loaded.is_ok());
-    assert_eq!(entries[2].stem(), "3-good\\u{1b}");
+    let files = files(&[folder.path().to_path_buf()]);
+    let [broken, empty, good] = &files[..] else { panic!("{files:?}") };
+    assert!(matches!(load(broken), Err(LoadError::Invalid { .. })));
+    assert!(matches!(load(empty), Err(LoadError::Empty { .. })));
+    assert!(load(good).is_ok());
 }
 
 #[test]
@@ -77,10 +91,8 @@ fn the_first_use_fills_the_data_folder_and_later_ones_leave_it() {
     let (here, data) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let folder = default_folder_in(here.path(), Some(data.path())).unwrap();
     assert_eq!(folder, data.path().join("bevelscope/designs"));
-    assert_eq!(
-        load_all(std::slice::from_ref(&folder)).iter().filter(|entry| entry.loaded.is_ok()).count(),
-        SHIPPED.len()
-    );
+    let filled = files(std::slice::from_ref(&folder));
+    assert!(filled.len() == SHIPPED.len() && filled.iter().all(|path| load(path).is_ok()));
     // nothing is left beside it
     assert_eq!(fs::read_dir(data.path().join("bevelscope")).unwrap().count(), 1);
 

@@ -7,7 +7,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use bevelscope::design::library::SHIPPED;
-use bevelscope::design::{LoadError, MAX_BYTES, Source, load, load_from, read};
+use bevelscope::design::{KeyPath, LoadError, MAX_BYTES, Source, load, load_from, read};
 use proptest::prelude::*;
 
 fn failure(bytes: &[u8]) -> LoadError {
@@ -22,7 +22,7 @@ fn an_empty_file_says_so() {
 #[test]
 fn a_file_of_blanks_lacks_what_a_design_needs() {
     let LoadError::Invalid { findings, .. } = failure(b"\n\n") else { panic!("not read") };
-    let paths: Vec<&str> = findings.iter().map(|finding| finding.key_path.as_str()).collect();
+    let paths: Vec<String> = findings.iter().map(|finding| finding.key_path.to_string()).collect();
     assert_eq!(paths, ["format", "name", "mesh", "pinion", "gear"]);
 }
 
@@ -116,7 +116,7 @@ fn no_number_of_warnings_hides_an_error() {
     let (before, after) = text.split_once("[[gear.segment]]").unwrap();
     let reading = read(&format!("{before}[[gear.segment]]\nmaterial = \"nowhere\"{after}"));
     assert!(reading.design.is_none());
-    assert!(reading.errors().any(|error| error.key_path == "gear.segment[0].material"));
+    assert!(reading.errors().any(|error| error.shown_path() == "gear.segment[0].material"));
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn deep_nesting_is_an_error() {
 fn a_long_line_is_clipped_around_the_place() {
     let text = format!("tags = [{}7, {}]", "\"a\", ".repeat(100), "\"b\", ".repeat(100));
     let findings = read(&text).findings;
-    let finding = findings.iter().find(|finding| finding.key_path == "tags[100]").unwrap();
+    let finding = findings.iter().find(|finding| finding.shown_path() == "tags[100]").unwrap();
     let shown = Source::new("x.toml", &text).render(finding);
     let lines: Vec<&str> = shown.lines().collect();
     // 8 columns before the list, 5 an entry, from 1
@@ -150,13 +150,24 @@ fn a_name_as_long_as_the_file_is_clipped() {
     assert!(shown.len() < 500_000, "{}", shown.len());
 }
 
+/// A path that is too long to be shown in full still leads to its value.
+#[test]
+fn the_path_of_a_long_name_is_clipped_only_where_it_is_shown() {
+    let name = "x".repeat(1000);
+    let text = format!("{}\n[material.{name}]\nelastic_modulus_gpa = -1.0\n", SHIPPED[0].text);
+    let findings = read(&text).findings;
+    let path = KeyPath::root().key("material").key(&name).key("elastic_modulus_gpa");
+    let finding = findings.iter().find(|finding| finding.key_path == path).unwrap();
+    assert_eq!(finding.shown_path().len(), 500 + "...".len());
+}
+
 #[test]
 fn the_mark_stands_under_the_place() {
     // column 7 is counted in characters: a tab, two wide characters and an escape are one each
     let text = "\t\"歯車\u{200b}\" = 1";
     let finding = read(&format!("format = 1\n{text}")).findings;
     let shown = Source::new("x.toml", &format!("format = 1\n{text}"))
-        .render(finding.iter().find(|f| f.key_path.contains('歯')).unwrap_or(&finding[0]));
+        .render(finding.iter().find(|f| f.shown_path().contains('歯')).unwrap_or(&finding[0]));
     let lines: Vec<&str> = shown.lines().collect();
     assert_eq!(lines[0], "x.toml:2:2: error: \"歯車\\u{200b}\": unknown key");
     assert_eq!(lines[1], "  2 | \t\"歯車\\u{200b}\" = 1");

@@ -180,3 +180,38 @@ fn a_reader_sees_whole_files_only_also_when_the_writer_is_killed() {
         assert!(whole.contains(&fs::read_to_string(&file).unwrap()));
     }
 }
+
+/// How often a writer is killed; 1,000 takes some minutes.
+const KILLS: &str = "BEVELSCOPE_TEST_KILLS";
+
+#[test]
+fn a_writer_killed_at_any_moment_leaves_the_old_file_or_the_new_one() {
+    let kills = std::env::var(KILLS).ok().and_then(|count| count.parse().ok()).unwrap_or(100_u64);
+    let (folder, file) = folder();
+    let whole: Vec<String> = (0..10).map(content).collect();
+    let mut drafts = 0;
+    for kill in 0..kills {
+        fs::write(&file, "old").unwrap();
+        let mut child = start(&format!("0 {}", file.display()), "").spawn().unwrap();
+        let deadline = Instant::now() + Duration::from_secs(20);
+        while fs::metadata(&file).unwrap().len() == 3 && Instant::now() < deadline {
+            std::thread::sleep(Duration::from_micros(200));
+        }
+        // spread over some savings, by a fraction that never repeats
+        std::thread::sleep(Duration::from_micros(kill * 7919 % 9973));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let text = fs::read_to_string(&file).unwrap();
+        assert!(whole.contains(&text), "{} bytes after kill {kill}", text.len());
+        // a while later
+        for name in names(folder.path()).iter().filter(|name| *name != "a.toml") {
+            drafts += 1;
+            let draft = fs::File::open(folder.path().join(name)).unwrap();
+            draft.set_modified(std::time::SystemTime::now() - Duration::from_secs(60)).unwrap();
+        }
+        assert!(names(folder.path()).len() <= 2, "what earlier ones have left was cleared: {:?}", names(folder.path()));
+    }
+    assert!(drafts > 0, "no writer was caught half-way");
+    save(&file, "last").unwrap();
+    assert_eq!(names(folder.path()), ["a.toml"]);
+}

@@ -92,8 +92,9 @@ fn children_follow_a_renamed_parent() {
     let to = name("mother");
     rename(&folder.path().join("overhung-elastic.toml"), &to).unwrap();
     let followed = follow_parent(folder.path(), "overhung-elastic", &to);
-    assert!(matches!(followed.as_slice(), [(path, Ok(()))] if *path == child));
-    assert_eq!(fs::read_to_string(child).unwrap(), text.replace("\"overhung-elastic\"", "\"mother\""));
+    let renamed = text.replace("\"overhung-elastic\"", "\"mother\"");
+    assert!(matches!(followed.as_slice(), [(path, Ok(text))] if *path == child && *text == renamed));
+    assert_eq!(fs::read_to_string(child).unwrap(), renamed);
 }
 
 #[test]

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use bevelscope::design::Source;
+use bevelscope::tui::action::Action;
 use bevelscope::tui::keymap::Mode;
-use bevelscope::tui::keys::{Key, Keys, read};
+use bevelscope::tui::keys::{Bound, Key, Keys, read};
 
 fn fixtures(folder: &str) -> Vec<(PathBuf, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/keys").join(folder);
@@ -69,30 +70,66 @@ fn slips_are_mended_with_the_nearest_name() {
     }
 }
 
-/// Whatever is in the file, there is a way to quit and to the help.
+/// A file that takes every key of a mode.
+fn nothing_in(mode: Mode) -> String {
+    let keys =
+        Keys::default().bound().iter().filter(|bound| bound.mode == mode).map(|bound| bound.key).collect::<Vec<_>>();
+    let lines: Vec<String> = keys.iter().map(|key| format!("{:?} = \"none\"\n", key.shown(true))).collect();
+    format!("[{}]\n{}", mode.name(), lines.concat())
+}
+
+/// Whatever is in the file, there is a way to quit and to the help; and without the palette, a way to all that only this
+/// mode has.
 #[test]
 fn no_file_strands_anyone() {
-    let all = Mode::ALL.map(|mode| {
-        let bound = Keys::default().bound().to_vec();
-        let keys = bound.iter().filter(|bound| bound.mode == mode);
-        let lines: Vec<String> = keys.map(|bound| format!("{:?} = \"none\"\n", bound.key.shown(true))).collect();
-        format!("[{}]\n{}", mode.name(), lines.concat())
-    });
-    let keys = read(&all.concat()).keys;
-    for name in ["quit", "help", "back", "palette", "accept"] {
-        for mode in Mode::ALL {
-            let had = |keys: &Keys| keys.bound().iter().any(|bound| bound.mode == mode && bound.action.name() == name);
-            assert_eq!(had(&keys), had(&Keys::default()), "{name} in {mode:?}");
+    let has = |keys: &Keys, mode: Mode, action: Action| {
+        keys.bound().iter().any(|bound| bound.mode == mode && bound.action == action)
+    };
+    let keys = read(&Mode::ALL.map(nothing_in).concat()).keys;
+    for mode in Mode::ALL {
+        let palette = has(&Keys::default(), mode, Action::Palette);
+        for Bound { action, .. } in Keys::default().bound().iter().filter(|bound| bound.mode == mode) {
+            let everywhere = Mode::ALL.into_iter().all(|mode| has(&Keys::default(), mode, *action));
+            let basic = matches!(action, Action::Quit | Action::Help | Action::Back | Action::Palette);
+            let kept = basic || (!palette && !everywhere);
+            assert_eq!(has(&keys, mode, *action), kept, "{action:?} in {mode:?}");
         }
+    }
+    for (mode, key, action) in [
+        ("form", "enter", "save-form"),
+        ("choice", "enter", "choose"),
+        ("leave", "s", "save-all"),
+        ("name", "enter", "accept"),
+    ] {
+        let findings = read(&format!("[{mode}]\n{key} = \"none\"\n")).findings;
+        let expected = format!("this would leave no key for `{action}` in [{mode}]");
+        assert_eq!(findings.first().map(|finding| finding.message.as_str()), Some(expected.as_str()));
     }
 }
 
+/// A line for all modes holds where nobody misses the key.
+#[test]
+fn a_line_for_all_modes_leaves_a_question_its_answer() {
+    let action = |keys: &Keys, mode: &str, key: &str| {
+        let key = Key::parse(key).unwrap();
+        let found = keys.bound().iter().find(|bound| bound.mode.name() == mode && bound.key == key);
+        found.map(|bound| bound.action)
+    };
+    let remapped = read("[all]\ns = \"none\"\n");
+    assert_eq!(remapped.findings, []);
+    assert_eq!(action(&remapped.keys, "table", "s"), None);
+    assert_eq!(action(&remapped.keys, "leave", "s"), Some(Action::SaveAll));
+}
+
+/// With ASCII as it is, otherwise with arrows in place of four names.
 #[test]
 fn every_key_that_is_shown_can_be_written() {
     for bound in Keys::default().bound() {
-        for ascii in [true, false] {
-            let shown = bound.key.shown(ascii);
-            assert!(!ascii || Key::parse(&shown) == Ok(bound.key), "{shown}");
+        assert_eq!(Key::parse(&bound.key.shown(true)), Ok(bound.key));
+        let shown = bound.key.shown(false);
+        match ['↑', '↓', '←', '→'].iter().position(|arrow| shown.contains(*arrow)) {
+            Some(at) => assert_eq!(bound.key.shown(true), ["Up", "Down", "Left", "Right"][at]),
+            None => assert_eq!(Key::parse(&shown), Ok(bound.key)),
         }
     }
 }
@@ -134,6 +171,19 @@ fn the_command_checks_a_file_and_prints_what_is_in_force() {
         let output = bevelscope(&arguments, config.path());
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(text(&output.stderr).contains(words), "{arguments:?}: {}", text(&output.stderr));
+    }
+}
+
+/// A file that never ends is no file of keys.
+#[cfg(target_os = "linux")]
+#[test]
+fn no_more_is_read_than_a_file_of_keys_may_have() {
+    let config = tempfile::tempdir().unwrap();
+    for option in ["--keys", "--check"] {
+        let output = bevelscope(&["keys", option, "/dev/zero"], config.path());
+        assert_eq!(output.status.code(), Some(2), "{option}");
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert!(error.contains("larger than 1 MiB"), "{error}");
     }
 }
 

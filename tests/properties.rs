@@ -13,25 +13,12 @@ use bevelscope::rotor::{MeanStates, Motion, Rotor, ShaftMatrices, Stations, Supp
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix6};
 use num_complex::Complex64;
 use proptest::prelude::*;
-use proptest::test_runner::{RngAlgorithm, RngSeed};
 use support::dense;
-use support::random::{Mounting, designs, designs_on};
-
-/// The same designs every time.
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(1),
-        rng_algorithm: RngAlgorithm::ChaCha,
-        failure_persistence: None,
-        max_shrink_iters: 200,
-        ..ProptestConfig::default()
-    }
-}
+use support::random::{Mounting, config, designs, designs_on};
 
 fn models(design: &Design) -> [Model; 3] {
     let rotors = Rotors::new(design).unwrap();
-    ModelKind::ALL.map(|kind| Model::new(kind, design, &rotors))
+    ModelKind::ALL.map(|kind| Model::new(kind, design, &rotors).unwrap())
 }
 
 /// A few lines over the design's range.
@@ -444,7 +431,8 @@ fn shares_of(model: &Model, m: &DMatrix<f64>, shape: &DVector<f64>) -> [f64; 8] 
     let energy = shape.component_mul(&(m * shape));
     let mut out = [0.0; 8];
     let coordinates = model.rotors().into_iter().enumerate();
-    let coordinates = coordinates.flat_map(|(r, rotor)| rotor.coordinates.iter().map(move |c| (r, c.motion)));
+    let coordinates =
+        coordinates.flat_map(|(r, rotor)| rotor.coordinates.iter().map(move |c| (r, c.motion().unwrap())));
     for ((rotor, motion), energy) in coordinates.zip(energy.iter()) {
         let group = match motion {
             Motion::X | Motion::Z => 0,

@@ -5,43 +5,22 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
+mod terminal_support;
 mod tui_support;
 
-use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex};
+use std::sync::atomic::Ordering;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
 use bevelscope::tui::terminal::Session;
-use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, Options, TuiError, run};
-use portable_pty::{Child, CommandBuilder, ExitStatus, MasterPty, PtySize, native_pty_system};
-use tui_support::{MadeUp, STEMS, paths};
-
-const CHILD: &str = "BEVELSCOPE_TEST_CHILD";
-const LONG: Duration = Duration::from_secs(20);
-
-fn is_child() -> bool {
-    std::env::var_os(CHILD).is_some()
-}
-
-fn explore(backend: impl Backend + 'static) -> ! {
-    let result = run(paths(&STEMS), "~/designs".into(), Options::default(), Arc::new(backend));
-    let status = match result {
-        Ok(()) => 0,
-        Err(error) => {
-            // where the terminal is gone, there is nobody to tell
-            let _ = writeln!(std::io::stderr(), "{error}");
-            error.exit_status()
-        }
-    };
-    std::process::exit(status.into())
-}
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, TuiError};
+use portable_pty::CommandBuilder;
+use terminal_support::{CHILD, DESIGNS, FRAME, LONG, Terminal, explore, is_child};
+use tui_support::MadeUp;
 
 #[test]
 #[ignore = "started by other tests in a terminal"]
@@ -83,134 +62,10 @@ fn child_panics() {
     }
 }
 
-/// A child in a pseudo-terminal, and what it has written.
-struct Terminal {
-    child: Box<dyn Child + Send + Sync>,
-    master: Option<Box<dyn MasterPty + Send>>,
-    writer: Option<Box<dyn Write + Send>>,
-    output: Arc<Mutex<Vec<u8>>>,
-    /// Tells the reading thread to let go.
-    closing: Arc<AtomicBool>,
-    /// Hears of every piece of output.
-    wrote: Receiver<()>,
-}
-
-impl Terminal {
-    /// This binary again, as one of the `child_` tests.
-    fn start(test: &str, environment: &[(&str, &str)]) -> Self {
-        let mut command = CommandBuilder::new(std::env::current_exe().unwrap());
-        command.args(["--exact", test, "--ignored", "--nocapture", "--test-threads=1"]);
-        Self::run(command, environment)
-    }
-
-    /// The program itself.
-    fn program(arguments: &[&str], environment: &[(&str, &str)]) -> Self {
-        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_bevelscope"));
-        command.args(arguments);
-        Self::run(command, environment)
-    }
-
-    fn run(mut command: CommandBuilder, environment: &[(&str, &str)]) -> Self {
-        let size = PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 };
-        let pair = native_pty_system().openpty(size).unwrap();
-        command.env_clear();
-        for (name, value) in [(CHILD, "1"), ("TERM", "xterm-256color"), ("LANG", "C.UTF-8")].iter().chain(environment) {
-            command.env(name, value);
-        }
-        let child = pair.slave.spawn_command(command).unwrap();
-        drop(pair.slave);
-        let mut reader = pair.master.try_clone_reader().unwrap();
-        let writer = pair.master.take_writer().unwrap();
-        let output = Arc::new(Mutex::new(Vec::new()));
-        let (tell, wrote) = channel();
-        let closing = Arc::new(AtomicBool::new(false));
-        let (kept, ends) = (Arc::clone(&output), Arc::clone(&closing));
-        thread::spawn(move || {
-            let mut piece = [0; 4096];
-            while let Ok(length @ 1..) = reader.read(&mut piece) {
-                kept.lock().unwrap().extend_from_slice(&piece[..length]);
-                if tell.send(()).is_err() || ends.load(Ordering::SeqCst) {
-                    return;
-                }
-            }
-        });
-        Self { child, master: Some(pair.master), writer: Some(writer), output, closing, wrote }
-    }
-
-    fn output(&self) -> Vec<u8> {
-        self.output.lock().unwrap().clone()
-    }
-
-    fn screen(&self) -> vt100::Parser {
-        let mut parser = vt100::Parser::new(24, 80, 0);
-        parser.process(&self.output());
-        parser
-    }
-
-    fn wait_for(&self, what: &str, found: impl Fn(&vt100::Screen) -> bool) {
-        let deadline = Instant::now() + LONG;
-        while !found(self.screen().screen()) {
-            assert!(Instant::now() < deadline, "no {what}:\n{}", self.screen().screen().contents());
-            let _ = self.wrote.recv_timeout(Duration::from_millis(50));
-        }
-    }
-
-    fn wait_for_text(&self, text: &str) {
-        self.wait_for(text, |screen| screen.contents().contains(text));
-    }
-
-    fn press(&mut self, keys: &str) {
-        let writer = self.writer.as_mut().unwrap();
-        writer.write_all(keys.as_bytes()).unwrap();
-        writer.flush().unwrap();
-    }
-
-    fn signal(&self, name: &str) {
-        let process = self.child.process_id().unwrap().to_string();
-        assert!(Command::new("kill").args(["-s", name, &process]).status().unwrap().success());
-    }
-
-    fn wait(&mut self, limit: Duration) -> ExitStatus {
-        let deadline = Instant::now() + limit;
-        loop {
-            if let Some(status) = self.child.try_wait().unwrap() {
-                return status;
-            }
-            if Instant::now() >= deadline {
-                self.child.kill().unwrap();
-                panic!("still running:\n{}", self.screen().screen().contents());
-            }
-            thread::sleep(Duration::from_millis(20));
-        }
-    }
-
-    /// Waits for what was written last, and looks whether the terminal is as it was.
-    fn assert_restored(&self) {
-        loop {
-            match self.wrote.recv_timeout(LONG) {
-                Ok(()) => {}
-                Err(RecvTimeoutError::Disconnected) => break,
-                Err(RecvTimeoutError::Timeout) => panic!("the terminal is still open"),
-            }
-        }
-        let output = String::from_utf8_lossy(&self.output()).into_owned();
-        let parser = self.screen();
-        assert!(!parser.screen().alternate_screen(), "{output:?}");
-        assert!(!parser.screen().hide_cursor(), "{output:?}");
-        assert!(!parser.screen().bracketed_paste(), "{output:?}");
-        assert!(output.matches("\x1b[?2026h").count() <= output.matches("\x1b[?2026l").count(), "{output:?}");
-        let mode = self.master.as_ref().and_then(|master| master.get_termios());
-        let local = mode.map(|mode| format!("{:?}", mode.local_flags)).unwrap_or_default();
-        assert!(local.contains("ECHO") && local.contains("ICANON"), "{local}");
-    }
-}
-
-const FRAME: &str = "trust up to 2,997 Hz";
-
 /// The figures are those of the shipped designs, as `tests/cases.rs` has them.
 #[test]
 fn the_program_shows_the_shipped_designs() {
-    let mut terminal = Terminal::program(&[concat!(env!("CARGO_MANIFEST_DIR"), "/designs")], &[]);
+    let mut terminal = Terminal::program(&[DESIGNS], &[]);
     terminal.wait_for_text("enhanced: trust up to 2,997 Hz,  3.72 dB RMS");
     terminal.press("jj");
     terminal.wait_for_text("enhanced: trust up to 3,364 Hz,  2.79 dB RMS");
@@ -280,7 +135,7 @@ fn signals_restore_the_terminal_and_end_the_program_in_time() {
 /// The program hangs in a write that nobody reads; the shell still gets the terminal back.
 #[test]
 fn a_signal_ends_the_program_though_nobody_reads() {
-    let mut terminal = Terminal::program(&[concat!(env!("CARGO_MANIFEST_DIR"), "/designs")], &[]);
+    let mut terminal = Terminal::program(&[DESIGNS], &[]);
     terminal.wait_for_text(FRAME);
     terminal.closing.store(true, Ordering::SeqCst);
     // far more redraws than a pseudo-terminal keeps
@@ -331,12 +186,7 @@ fn a_panic_restores_the_terminal_before_its_message() {
 fn the_program_ends_when_the_terminal_goes_away() {
     let mut terminal = Terminal::start("child_explorer", &[]);
     terminal.wait_for_text(FRAME);
-    // the reading thread holds the terminal open too: it lets go after the next frame
-    terminal.closing.store(true, Ordering::SeqCst);
-    terminal.press("j");
-    while terminal.wrote.recv_timeout(LONG).is_ok() {}
-    terminal.writer = None;
-    terminal.master = None;
+    terminal.vanish("j");
     let status = terminal.wait(Duration::from_secs(2));
     // whichever is noticed first: the signal, or that nothing can be read or written any more
     assert!([128 + 1, 1].contains(&status.exit_code()), "{status:?}");

@@ -3,8 +3,9 @@
 mod tui_support;
 
 use bevelscope::tui::keymap::Mode;
+use bevelscope::tui::keys;
 use bevelscope::tui::message::{Effect, Ending, Message};
-use tui_support::{MadeUp, STEMS, Screen, UNICODE, paths};
+use tui_support::{ASCII, MadeUp, STEMS, Screen, Shelf, UNICODE, paths};
 
 /// Keys, and the design that is selected after them.
 const SELECTION: &[(&str, &str)] = &[
@@ -162,4 +163,77 @@ fn rereading_asks_for_the_folder_the_selected_design_and_all_rows() {
     assert!(screen.text().contains("added"));
     screen.send(Message::Listed(Err("~/designs: no such folder".into())));
     assert!(screen.text().contains("no such folder"));
+}
+
+/// Keys that texts name, moved to others.
+const MOVED: &str = r#"
+[all]
+"ctrl-g" = "back"
+"esc" = "none"
+"ctrl-q" = "quit"
+"q" = "none"
+"?" = "help"
+[help]
+"&" = "filter"
+"/" = "none"
+[library]
+"F2" = "reread"
+"R" = "none"
+"F3" = "next-pane"
+"tab" = "none"
+[table]
+"v" = "solve"
+"=" = "none"
+"w" = "findings"
+"f" = "none"
+"z" = "undo"
+"u" = "none"
+"f9" = "toggle-live"
+"L" = "none"
+"d" = "clear-cell"
+"x" = "none"
+"delete" = "none"
+"o" = "other-shaft"
+"p" = "none"
+"i" = "edit-cell"
+"enter" = "none"
+"f10" = "materials"
+"f7" = "none"
+"#;
+
+/// The explorer with the keys of [`MOVED`].
+fn moved(stems: &[&str], shelf: Shelf) -> Screen {
+    let mut screen = Screen::with(stems, 120, 40, ASCII, shelf);
+    let remapped = keys::read(MOVED);
+    assert_eq!(remapped.findings, []);
+    screen.app.keys = remapped.keys;
+    screen.draw();
+    screen
+}
+
+#[test]
+fn texts_name_the_keys_in_force() {
+    let mut screen = moved(&["overhung-elastic"], Shelf::shipped());
+    let mut says = |keys: &str, texts: &[&str]| {
+        let text = screen.keys(keys).text();
+        for wanted in texts {
+            assert!(text.contains(wanted), "{keys}: no {wanted:?} in\n{text}");
+        }
+    };
+    says("ej", &["F10 materials", "(o: gear)"]);
+    says("<End>", &["(d clears)"]);
+    says("<Home>lc38<Tab>", &["z: outer diameter"]);
+    says("<F9>", &["v solves"]);
+    says("<Home>lc39<Tab>", &["stale, live off: v solves"]);
+    says("<Home>c-1<Tab>c-2<Tab>v", &["findings (w)", "(w lists them)"]);
+    says("<F10>", &["i renames it"]);
+    says("<F2><Ctrl-g>?", &["& searches, Ctrl-g closes"]);
+    // before anything is there, and where there is no match
+    let mut screen = moved(&[], Shelf::new(&[]));
+    assert!(screen.text().contains("press F2, or quit with Ctrl-q"), "{}", screen.text());
+    screen.resize(20, 10);
+    assert!(screen.text().replace('\n', " ").contains("(Ctrl-q quits)"), "{}", screen.text());
+    let mut screen = moved(&["overhung-elastic"], Shelf::shipped());
+    screen.keys("/nothing");
+    assert!(screen.text().contains("Ctrl-g drops the filter"), "{}", screen.text());
 }

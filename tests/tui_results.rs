@@ -109,42 +109,38 @@ fn a_result_for_a_design_that_was_left_is_not_shown() {
 
 #[test]
 fn an_older_result_never_overwrites_a_newer_one() {
-    /// Solves to another limit for each ticket.
-    fn result(job: &Job, limit: f64) -> Message {
-        let design = tui_support::design("overhung-elastic");
-        let mut solved = None;
-        bevelscope::tui::worker::perform(job, &MadeUp, &mut |message| {
-            if let Message::Solved { result: Ok(found), .. } = message {
-                solved = Some(found);
+    /// Reads and solves, to another limit for each ticket.
+    fn deliver(screen: &mut Screen, job: &Job, limit: f64) {
+        assert!(tui_support::design("overhung-elastic").analysis.frequency_max > limit);
+        bevelscope::tui::worker::perform(job, &MadeUp, &mut |mut message| {
+            if let Message::Solved { result: Ok(found), .. } = &mut message {
+                found.summary.enhanced.agreement_limit_hz = limit;
             }
+            screen.send(message);
         });
-        let mut solved = solved.unwrap();
-        assert!(design.analysis.frequency_max > limit);
-        solved.summary.enhanced.agreement_limit_hz = limit;
-        Message::Solved { ticket: job.ticket, path: job.path.clone(), result: Ok(solved) }
     }
     let mut screen = Screen::new(80, 24, UNICODE);
     screen.held = true;
     let older = solve_job(&mut screen, "R");
     let newer = solve_job(&mut screen, "R");
-    screen.send(result(&newer, 1111.0));
-    screen.send(result(&older, 2222.0));
+    deliver(&mut screen, &newer, 1111.0);
+    deliver(&mut screen, &older, 2222.0);
     assert!(screen.text().contains("trust up to 1,111 Hz"), "{}", screen.text());
     assert!(!screen.text().contains("2,222"), "{}", screen.text());
     // nor does it take the newer one's place while that is still to come
     let older = solve_job(&mut screen, "R");
     let newer = solve_job(&mut screen, "R");
-    screen.send(result(&older, 2222.0));
+    deliver(&mut screen, &older, 2222.0);
     assert!(screen.text().contains("1,111") && !screen.text().contains("2,222"), "{}", screen.text());
-    screen.send(result(&newer, 1112.0));
+    deliver(&mut screen, &newer, 1112.0);
     assert!(screen.text().contains("trust up to 1,112 Hz"), "{}", screen.text());
     // one that was asked for before everything was marked to be read again
     let row = Job { ticket: Ticket(0), path: paths(&STEMS)[1].clone(), with_traces: false };
-    screen.send(result(&row, 2222.0));
+    deliver(&mut screen, &row, 2222.0);
     assert!(!screen.text().contains("2,222"), "{}", screen.text());
     // and a result for a file that is gone
     screen.send(Message::Listed(Ok(Vec::new())));
-    screen.send(result(&newer, 3333.0));
+    deliver(&mut screen, &newer, 3333.0);
     assert!(screen.text().contains("No designs"));
 }
 

@@ -40,7 +40,7 @@ fn screens() -> Vec<Screen> {
     })
     .collect();
     screens.push(Screen::new(80, 24, ASCII));
-    for keys in ["e2j", "elc-5<Enter>f", "e2lll l<Enter>c1 kg<Enter>"] {
+    for keys in ["e<F2>j", "elc-5<Enter>f", "e<F2>lll l<Enter>c1 kg<Enter>"] {
         let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
         screen.keys(keys);
         screens.push(screen);
@@ -101,6 +101,7 @@ impl Backend for Hostile {
 
     fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {
         Ok(vec![Difference {
+            is_number: false,
             path: KeyPath::root().key(ESCAPES),
             label: ESCAPES.into(),
             a: Some(ESCAPES.into()),

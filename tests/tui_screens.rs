@@ -114,3 +114,18 @@ fn monochrome_uses_no_colour() {
     let plain = ratatui::style::Color::Reset;
     assert!(screen.buffer().content().iter().all(|cell| cell.fg == plain && cell.bg == plain));
 }
+
+#[test]
+fn what_the_enhanced_model_rests_on_stands_beside_its_figures() {
+    // `bevelscope inspect` says of the pinion of this design: taken from statics, inertia; of the other one nothing
+    for (width, wanted) in [(80, ", ! static inertia"), (160, ", ! pinion: inertia from statics, at worst")] {
+        let mut screen =
+            Screen::with(&["overhung-elastic", "straddle-elastic"], width, 24, ASCII, tui_support::Shelf::shipped());
+        assert!(!screen.text().contains('!'), "{}", screen.text());
+        let text = screen.keys("j").text();
+        let line = text.lines().find(|line| line.contains("enhanced: trust")).unwrap();
+        assert!(line.contains(wanted), "{line}");
+        let text = screen.keys("e").text();
+        assert!(text.lines().any(|line| line.contains("enhanced: trust") && line.contains(wanted)), "{text}");
+    }
+}

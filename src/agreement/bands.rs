@@ -43,13 +43,17 @@ pub fn sixth_octave_bands(frequency_hz: &[f64]) -> Vec<Band> {
     bands
 }
 
+/// Level of the lines of a band: 10 log10 mean |F|^2, dB re 1 N.
+pub fn band_level_db(force: &[Complex64]) -> f64 {
+    10.0 * (force.iter().map(Complex64::norm_sqr).sum::<f64>() / force.len() as f64).log10()
+}
+
 /// Upper edge of the last band, from below, up to which all band levels differ by no more than the tolerance; at most the highest line.
 pub fn agreement_limit(frequency_hz: &[f64], lumped: &[Complex64], fe: &[Complex64], tolerance: Tolerance) -> f64 {
     let highest = frequency_hz.last().copied().unwrap_or(0.0);
     let mut limit = 0.0;
     for band in sixth_octave_bands(frequency_hz) {
-        let power = |force: &[Complex64]| force[band.lines.clone()].iter().map(Complex64::norm_sqr).sum::<f64>();
-        let difference = 10.0 * (power(lumped) / power(fe)).log10();
+        let difference = band_level_db(&lumped[band.lines.clone()]) - band_level_db(&fe[band.lines.clone()]);
         if difference.is_nan() || difference.abs() > tolerance.band_level_db {
             break;
         }

@@ -1,16 +1,24 @@
 //! How well a lumped model agrees with the finite element model: differences, sixth-octave levels, peaks and modes.
 
 mod bands;
+mod causes;
 mod differences;
+mod disagreement;
+mod modal;
 mod pairing;
 mod peaks;
+mod reduction;
 
 use num_complex::Complex64;
 
-pub use bands::{Band, agreement_limit, sixth_octave_bands};
+pub use bands::{Band, agreement_limit, band_level_db, sixth_octave_bands};
+pub use causes::{Causes, LEAST_PARTICIPATION, PlaneFigures, RotorPlane, Shift, Unpaired};
 pub use differences::{difference_db, frac};
-pub use pairing::{ModePair, pair_modes};
+pub use disagreement::{DisagreementBand, disagreement_bands};
+pub use modal::{COMPARED_FE_MODES, ModalComparison, ModalError, Responsible};
+pub use pairing::{ModePair, mac_matrix, pair_modes};
 pub use peaks::{Peak, PeakPair, pair_peaks, peaks};
+pub use reduction::reduced_modes_for;
 
 /// How far the sixth-octave levels may differ for the agreement limit, dB.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Modes of a lumped model and of the finite element model, paired by their shapes.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::model::{Model, RotorModel};
 use crate::response::Modes;
@@ -23,27 +23,17 @@ pub struct ModePair {
 /// must not mix unweighted.
 pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Model) -> Vec<ModePair> {
     const LEAST: f64 = 0.5;
-    let weights: Vec<f64> = enhanced.rotors().iter().flat_map(|rotor| weights(rotor)).collect();
-    let shapes = |(model, modes): (&Model, &Modes)| -> Vec<DVector<f64>> {
-        let places = lumped_places(model);
-        let pick = |shape: &DVector<f64>| {
-            let values = places.iter().zip(&weights).map(|(place, weight)| place.map_or(0.0, |i| shape[i]) * weight);
-            DVector::from_iterator(weights.len(), values)
-        };
-        modes.0.iter().map(|mode| pick(&mode.shape)).collect()
-    };
-    let (lumped, fe) = (shapes(lumped), shapes(fe));
+    let mac = mac_matrix(lumped, fe, enhanced);
     let mut candidates: Vec<ModePair> = Vec::new();
-    for (i, a) in lumped.iter().enumerate() {
-        for (j, b) in fe.iter().enumerate() {
-            let mac = a.dot(b).powi(2) / (a.norm_squared() * b.norm_squared());
-            if mac >= LEAST {
-                candidates.push(ModePair { lumped: i, fe: j, mac });
+    for i in 0..mac.nrows() {
+        for j in 0..mac.ncols() {
+            if mac[(i, j)] >= LEAST {
+                candidates.push(ModePair { lumped: i, fe: j, mac: mac[(i, j)] });
             }
         }
     }
     candidates.sort_by(|a, b| b.mac.total_cmp(&a.mac));
-    let (mut lumped_taken, mut fe_taken) = (vec![false; lumped.len()], vec![false; fe.len()]);
+    let (mut lumped_taken, mut fe_taken) = (vec![false; mac.nrows()], vec![false; mac.ncols()]);
     candidates.retain(|pair| {
         let free = !lumped_taken[pair.lumped] && !fe_taken[pair.fe];
         if free {
@@ -54,6 +44,23 @@ pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Mod
     });
     candidates.sort_by_key(|pair| pair.lumped);
     candidates
+}
+
+/// Modal assurance criterion of every lumped mode (row) with every finite element mode (column), at the lumped coordinates, weighted as
+/// in [`pair_modes`].
+pub fn mac_matrix(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Model) -> DMatrix<f64> {
+    let weights: Vec<f64> = enhanced.rotors().iter().flat_map(|rotor| weights(rotor)).collect();
+    let shapes = |(model, modes): (&Model, &Modes)| -> Vec<DVector<f64>> {
+        let places = lumped_places(model);
+        let pick = |shape: &DVector<f64>| {
+            let values = places.iter().zip(&weights).map(|(place, weight)| place.map_or(0.0, |i| shape[i]) * weight);
+            DVector::from_iterator(weights.len(), values)
+        };
+        modes.0.iter().map(|mode| pick(&mode.shape)).collect()
+    };
+    let (lumped, fe) = (shapes(lumped), shapes(fe));
+    let mac = |a: &DVector<f64>, b: &DVector<f64>| a.dot(b).powi(2) / (a.norm_squared() * b.norm_squared());
+    DMatrix::from_fn(lumped.len(), fe.len(), |i, j| mac(&lumped[i], &fe[j]))
 }
 
 /// Square roots of the masses at the mesh station's six coordinates and the drive.

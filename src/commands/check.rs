@@ -7,12 +7,16 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError, mpsc};
 
 use super::{CommandError, Format, Status};
-use crate::agreement::{Agreement, PeakPair};
+use crate::agreement::reduced_modes_for;
 use crate::comparison;
 use crate::design::{self, LoadError, library};
+use crate::model::Rotors;
 use crate::number::grouped;
-use crate::report::{Table, json};
+use crate::report::{Figures, Table, json};
 use crate::text::printable;
+
+/// How close a reduced model should come to finite elements in every sixth-octave band, dB; part of the key's name in JSON.
+const REDUCED_DB: f64 = 1.0;
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -46,7 +50,7 @@ fn parse_band(text: &str) -> Result<Band, String> {
     }
 }
 
-fn parse_limit(text: &str) -> Result<f64, String> {
+pub(super) fn parse_limit(text: &str) -> Result<f64, String> {
     let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
     value.ok_or_else(|| "wanted a number, not negative".into())
 }
@@ -92,6 +96,8 @@ enum Row {
         within_limits: Option<bool>,
         enhanced: Figures,
         basic: Figures,
+        /// Fixed-interface modes a rotor with which a reduced model keeps all sixth-octave levels within 1 dB
+        reduced_modes_for_1_db: Option<usize>,
         /// What looks unintended in the file, as text
         #[serde(skip_serializing_if = "String::is_empty")]
         warnings: String,
@@ -102,40 +108,9 @@ enum Row {
     },
 }
 
-#[derive(serde::Serialize)]
-struct Figures {
-    rms_db: f64,
-    max_db: f64,
-    max_at_hz: f64,
-    frac: f64,
-    agreement_limit_hz: f64,
-    peaks: Vec<Peak>,
-}
-
-#[derive(serde::Serialize)]
-struct Peak {
-    fe_hz: Option<f64>,
-    lumped_hz: Option<f64>,
-    shift_percent: Option<f64>,
-    height_db: Option<f64>,
-}
-
 impl Row {
     fn failed(file: &Path, error: String) -> Self {
         Self::Failed { file: file.display().to_string(), error }
-    }
-}
-
-impl From<Agreement> for Figures {
-    fn from(agreement: Agreement) -> Self {
-        let Agreement { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks } = agreement;
-        let peak = |PeakPair { fe_hz, lumped_hz, shift_percent, height_db }| Peak {
-            fe_hz,
-            lumped_hz,
-            shift_percent,
-            height_db,
-        };
-        Self { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, peaks: peaks.into_iter().map(peak).collect() }
     }
 }
 
@@ -185,6 +160,10 @@ fn checked(file: &Path, args: &Args) -> Row {
         Ok(compared) => compared,
         Err(error) => return Row::failed(file, error.to_string()),
     };
+    let enough = |rotors: Rotors| {
+        reduced_modes_for(design, &rotors, &compared.frequency_hz, &compared.fe.mesh_force, REDUCED_DB)
+    };
+    let reduced_modes = Rotors::new(design).ok().and_then(enough);
     let agreement = &compared.enhanced_agreement;
     let limited = args.max_rms_db.is_some() || args.min_limit_hz.is_some();
     let within = args.max_rms_db.is_none_or(|limit| agreement.rms_db <= limit)
@@ -195,8 +174,9 @@ fn checked(file: &Path, args: &Args) -> Row {
         design: design.name.clone(),
         band_hz: args.band.map_or(all_lines, |band| band.0),
         within_limits: limited.then_some(within),
-        enhanced: compared.enhanced_agreement.into(),
-        basic: compared.basic_agreement.into(),
+        enhanced: (&compared.enhanced_agreement).into(),
+        basic: (&compared.basic_agreement).into(),
+        reduced_modes_for_1_db: reduced_modes,
         warnings,
     }
 }
@@ -204,7 +184,7 @@ fn checked(file: &Path, args: &Args) -> Row {
 fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()> {
     let stem = |file: &str| Path::new(file).file_stem().map_or_else(|| file.into(), |stem| stem.display().to_string());
     let mut heads = vec!["design", "enhanced\nlimit Hz", "RMS\ndB", "max\ndB", "at\nHz", "FRAC"];
-    heads.extend(["basic\nlimit Hz", "RMS\ndB"]);
+    heads.extend(["basic\nlimit Hz", "RMS\ndB", "modes\n1 dB"]);
     let limited = args.max_rms_db.is_some() || args.min_limit_hz.is_some();
     if limited {
         heads.push("within\nlimits");
@@ -212,7 +192,7 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
     let mut table = Table::with_heads(heads.into_iter().map(str::to_owned).collect()).widest_name(20);
     for row in rows {
         match row {
-            Row::Checked { file, enhanced, basic, within_limits, warnings, .. } => {
+            Row::Checked { file, enhanced, basic, within_limits, warnings, reduced_modes_for_1_db: modes, .. } => {
                 // a warning does not make a design wrong, but nobody should miss it
                 let mark = if warnings.is_empty() { "" } else { " !" };
                 let mut cells = vec![
@@ -224,6 +204,7 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
                     format!("{:.3}", enhanced.frac),
                     grouped(basic.agreement_limit_hz),
                     format!("{:.2}", basic.rms_db),
+                    modes.map_or("-".into(), |modes| modes.to_string()),
                 ];
                 if limited {
                     cells.push(if *within_limits == Some(false) { "NO" } else { "yes" }.into());
@@ -234,6 +215,9 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
         }
     }
     write!(out, "{table}")?;
+    if rows.iter().any(|row| matches!(row, Row::Checked { .. })) {
+        writeln!(out, "modes: a rotor, for reduced:K to keep all sixth-octave levels within {REDUCED_DB} dB of FE")?;
+    }
     for row in rows {
         let (file, text) = match row {
             Row::Checked { file, warnings, .. } => (file, warnings),

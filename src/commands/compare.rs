@@ -9,11 +9,10 @@ use std::path::{Path, PathBuf};
 use unicode_width::UnicodeWidthStr;
 
 use super::{CommandError, Format, Status, input};
-use crate::agreement::Agreement;
 use crate::comparison::{self, Comparison};
 use crate::design::{Difference, Loaded, diff};
 use crate::number::grouped;
-use crate::report::{Table, json};
+use crate::report::{Figures, Table, json};
 use crate::text::{cut, printable};
 
 #[derive(Debug, clap::Args)]
@@ -79,29 +78,29 @@ struct SideOutput<'a> {
 }
 
 #[derive(serde::Serialize)]
-struct Figures {
-    rms_db: f64,
-    max_db: f64,
-    max_at_hz: f64,
-    frac: f64,
-    agreement_limit_hz: f64,
-}
-
-#[derive(serde::Serialize)]
 struct DifferenceOutput<'a> {
     /// Key path; its last key names the unit
     key: String,
     label: &'a str,
-    /// As spelled in the file; null where the design has no such value or row
-    a: Option<&'a str>,
-    b: Option<&'a str>,
+    a: Option<Value<'a>>,
+    b: Option<Value<'a>>,
     unit: &'a str,
+    /// As spelled in the file
+    a_text: Option<&'a str>,
+    b_text: Option<&'a str>,
 }
 
-impl From<&Agreement> for Figures {
-    fn from(agreement: &Agreement) -> Self {
-        let Agreement { rms_db, max_db, max_at_hz, frac, agreement_limit_hz, .. } = *agreement;
-        Self { rms_db, max_db, max_at_hz, frac, agreement_limit_hz }
+/// A number in `unit`, or a text; null where the design has no such value or row.
+#[derive(serde::Serialize)]
+#[serde(untagged)]
+enum Value<'a> {
+    Number(f64),
+    Text(&'a str),
+}
+
+impl<'a> Value<'a> {
+    fn new(spelled: Option<&'a str>, number: Option<f64>) -> Option<Self> {
+        number.map(Self::Number).or(spelled.map(Self::Text))
     }
 }
 
@@ -113,12 +112,18 @@ impl<'a> Output<'a> {
             enhanced: (&side.comparison.enhanced_agreement).into(),
             basic: (&side.comparison.basic_agreement).into(),
         };
-        let difference = |difference: &'a Difference| DifferenceOutput {
-            key: difference.path.to_string(),
-            label: &difference.label,
-            a: difference.a.as_deref(),
-            b: difference.b.as_deref(),
-            unit: difference.unit,
+        let difference = |difference: &'a Difference| {
+            let (a_text, b_text) = (difference.a.as_deref(), difference.b.as_deref());
+            let [a, b] = difference.numbers();
+            DifferenceOutput {
+                key: difference.path.to_string(),
+                label: &difference.label,
+                a: Value::new(a_text, a),
+                b: Value::new(b_text, b),
+                unit: difference.unit,
+                a_text,
+                b_text,
+            }
         };
         Self { a: side(a), b: side(b), differences: differences.iter().map(difference).collect(), fe_rms_db }
     }

@@ -1,18 +1,22 @@
 //! `bevelscope` without a subcommand: the terminal explorer.
 
-use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use clap::CommandFactory;
+
 use super::CommandError;
+use super::guard::Guard;
 use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, Observer, SolveError};
-use crate::design::library::{Trashed, trashed};
+use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
 use crate::text::printable;
-use crate::tui::files::{FileDone, FileRequest};
+use crate::tui::facts;
+use crate::tui::files::{FileDone, FileRequest, Followed};
+use crate::tui::recovery::{Kept, Look};
 use crate::tui::{self, Backend, BrokenDesign, LoadedDesign, NotSaved};
+use crate::{crash, log};
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -24,6 +28,9 @@ pub struct Args {
     ascii: bool,
     #[command(flatten)]
     keys: KeysArg,
+    /// Add what happens to a log file, a line each with the time: for bug reports
+    #[arg(long, value_name = "FILE")]
+    log: Option<PathBuf>,
 }
 
 pub fn run(args: &Args) -> Result<(), CommandError> {
@@ -35,20 +42,33 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
     if let Some(missing) = paths.iter().find(|path| !path.exists()) {
         return Err(CommandError::Usage(no_such(missing)));
     }
+    let log = args.log.as_deref().map(log::open).transpose().map_err(|error| CommandError::Usage(error.to_string()))?;
+    let terminal = facts::facts(args.ascii, |name| std::env::var(name).ok());
+    crash::describe_terminal(facts::as_text(&terminal));
+    if log.is_some() {
+        log::write(format_args!("start of bevelscope {}, {}", env!("CARGO_PKG_VERSION"), super::doctor::platform()));
+        facts::as_text(&terminal).lines().for_each(log::write);
+    }
+    let ended = explore(args, paths);
+    log::write(ended.as_ref().map_or_else(|error| format!("end: {error}"), |()| "end".into()));
+    ended
+}
+
+fn explore(args: &Args, paths: Vec<PathBuf>) -> Result<(), CommandError> {
     let shown_as: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
     let (keys, keys_report) = args.keys.for_explorer()?;
     let options = tui::Options { ascii: args.ascii, keys, keys_report };
     let files = library::files(&paths);
-    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths) }))?)
+    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths), guard: Guard::new() }))?)
 }
 
 /// The argument may be a mistyped command.
 fn no_such(path: &Path) -> String {
     const ALIKE: f64 = 0.6;
     let shown = path.display().to_string();
-    let commands = ["solve", "modes", "check", "inspect", "compare", "keys"];
+    let cli = super::Cli::command();
     let alike = |command: &&str| strsim::normalized_damerau_levenshtein(&shown, command) >= ALIKE;
-    let hint = commands.into_iter().find(alike);
+    let hint = cli.get_subcommands().map(clap::Command::get_name).find(alike);
     let hint = hint.map(|command| format!("; did you mean the command `{command}`?")).unwrap_or_default();
     let what =
         if shown == "-" { "the explorer opens files, not standard input" } else { "there is no such file or folder" };
@@ -59,6 +79,7 @@ fn no_such(path: &Path) -> String {
 struct Files {
     /// The folders and files of the library. A file that is named here follows its renaming.
     paths: Mutex<Vec<PathBuf>>,
+    guard: Guard,
 }
 
 impl Files {
@@ -71,7 +92,7 @@ impl Files {
         let mut paths = self.paths.lock().unwrap_or_else(PoisonError::into_inner);
         let place = |paths: &[PathBuf], path: &Path| paths.iter().position(|other| other == path);
         match done {
-            FileDone::Renamed { from, to } => {
+            FileDone::Renamed { from, to, .. } => {
                 if let Some(at) = place(&paths, from) {
                     paths[at].clone_from(to);
                 }
@@ -104,6 +125,13 @@ impl Files {
         let latest = folders.iter().filter_map(|folder| trashed(folder).into_iter().next());
         latest.max_by(|one, other| one.when.cmp(&other.when))
     }
+}
+
+/// Brings the variants of a design that was renamed after it.
+fn followed(path: &Path, name: &library::VariantName) -> Vec<Followed> {
+    let (folder, stem) = (path.parent().unwrap_or(Path::new("")), path.file_stem().unwrap_or_default());
+    let variants = library::follow_parent(folder, &stem.to_string_lossy(), name).into_iter();
+    variants.map(|(path, result)| Followed { path, result: result.map_err(|error| error.to_string()) }).collect()
 }
 
 /// The message without the library's folders: there is little room, and the header names them.
@@ -139,14 +167,24 @@ impl Backend for Files {
         }
     }
 
-    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
-        match fs::read(path) {
-            Ok(bytes) if bytes == expected.as_bytes() => {}
-            Ok(_) => return Err(NotSaved::Changed),
-            Err(error) if error.kind() == ErrorKind::NotFound => return Err(NotSaved::Changed),
-            Err(error) => return Err(NotSaved::Failed(error.to_string())),
-        }
-        design::save(path, text).map_err(|error| NotSaved::Failed(error.to_string()))
+    fn save(&self, path: &Path, expected: Option<&[u8]>, text: &str) -> Result<(), NotSaved> {
+        self.guard.save(path, expected, text)
+    }
+
+    fn keep(&self, change: &Kept) -> Result<(), String> {
+        self.guard.keep(change)
+    }
+
+    fn left(&self) -> Left {
+        self.guard.left(&self.paths())
+    }
+
+    fn look(&self, path: &Path, expected: &str) -> Look {
+        self.guard.look(path, expected)
+    }
+
+    fn release(&self, path: &Path) {
+        self.guard.release(path);
     }
 
     fn save_variant(
@@ -168,9 +206,11 @@ impl Backend for Files {
 
     fn change_file(&self, request: &FileRequest) -> Result<FileDone, String> {
         let done = match request {
-            FileRequest::Rename { path, name } => {
-                library::rename(path, name).map(|to| FileDone::Renamed { from: path.clone(), to })
-            }
+            FileRequest::Rename { path, name } => library::rename(path, name).map(|to| FileDone::Renamed {
+                from: path.clone(),
+                to,
+                variants: followed(path, name),
+            }),
             FileRequest::Duplicate { path, name } => {
                 library::duplicate(path, name).map(|to| FileDone::Duplicated { from: path.clone(), to })
             }
@@ -190,5 +230,28 @@ impl Backend for Files {
     fn differences(&self, a: &Path, b: &Path) -> Result<Vec<Difference>, String> {
         let text = |path| design::load(path).map(|loaded| loaded.text).map_err(|error| error.to_string());
         Ok(design::diff(&text(a)?, &text(b)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn variants_follow_a_renamed_design_on_disk_and_in_what_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let text = library::SHIPPED[0].text;
+        fs::write(path("base.toml"), text).unwrap();
+        fs::write(path("child.toml"), format!("parent = \"base\"\n{text}")).unwrap();
+        let files = Files { paths: Mutex::new(vec![folder.path().into()]), guard: Guard::new() };
+        let name = library::VariantName::new("mother").unwrap();
+        let done = files.change_file(&FileRequest::Rename { path: path("base.toml"), name }).unwrap();
+        let now = format!("parent = \"mother\"\n{text}");
+        let variants = vec![Followed { path: path("child.toml"), result: Ok(now.clone()) }];
+        assert_eq!(done, FileDone::Renamed { from: path("base.toml"), to: path("mother.toml"), variants });
+        assert_eq!(fs::read_to_string(path("child.toml")).unwrap(), now);
     }
 }

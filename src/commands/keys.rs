@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::{CommandError, Status};
-use crate::design::Source;
+use crate::design::{self, Source, TextError};
 use crate::text::{printable, wrap};
 use crate::tui::action::{ACTIONS, Action, Category};
 use crate::tui::keymap::{Mode, is_known};
@@ -40,6 +40,11 @@ struct Read {
 }
 
 impl KeysArg {
+    /// The file that was named.
+    pub fn named(&self) -> Option<PathBuf> {
+        self.file.clone()
+    }
+
     /// The file meant: the one that is named, else the user's, if it is there.
     fn path(&self) -> Option<PathBuf> {
         self.file.clone().or_else(|| {
@@ -73,15 +78,10 @@ impl KeysArg {
 fn read(path: &Path) -> Result<Read, String> {
     let name = path.display().to_string();
     let fail = |reason: &dyn std::fmt::Display| format!("{}: {reason}", printable(&name));
-    let metadata = std::fs::metadata(path).map_err(|error| fail(&error))?;
-    if metadata.is_dir() {
-        return Err(fail(&"this is a folder, not a file of keys"));
-    }
-    if metadata.len() > MAX_BYTES {
-        return Err(fail(&"the file is larger than 1 MiB, the most that a file of keys may have"));
-    }
-    let bytes = std::fs::read(path).map_err(|error| fail(&error))?;
-    let text = String::from_utf8(bytes).map_err(|_| fail(&"not UTF-8 text"))?;
+    let text = design::read_text(path, MAX_BYTES).map_err(|error| match error {
+        TextError::Folder | TextError::TooLarge { .. } => fail(&format!("{error}, not a file of keys")),
+        _ => fail(&error),
+    })?;
     let remapped = keys::read(&text);
     let source = Source::new(&name, &text);
     let summary = remapped.findings.first().map_or_else(String::new, |first| {

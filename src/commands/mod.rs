@@ -1,8 +1,11 @@
 //! The command line: one file a subcommand.
 
+mod bands;
 mod check;
 mod compare;
+mod doctor;
 mod explore;
+mod guard;
 mod import_mesh;
 mod input;
 mod inspect;
@@ -14,7 +17,6 @@ mod solve;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use clap::builder::PossibleValue;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::comparison::SolveError;
@@ -44,6 +46,8 @@ enum Command {
     Modes(modes::Args),
     /// How well the lumped models agree with the finite element model, a row a design
     Check(check::Args),
+    /// Where a lumped model disagrees with the finite element model, the modes behind it, and why
+    Bands(bands::Args),
     /// What was built: stations, totals, stiffness at the mesh, bending modes, effective masses, bearings
     Inspect(inspect::Args),
     /// Where two designs differ, and how the models of both agree
@@ -53,6 +57,8 @@ enum Command {
     ImportMesh(import_mesh::Args),
     /// The keys of the explorer, with those of the user's file
     Keys(keys::Args),
+    /// What the program sees of terminal, folders and designs in use: for bug reports
+    Doctor(doctor::Args),
 }
 
 /// How a program that did its work ended.
@@ -121,11 +127,13 @@ impl Cli {
             Some(Command::Solve(args)) => solve::run(args, &mut out, &mut err)?,
             Some(Command::Modes(args)) => modes::run(args, &mut out, &mut err)?,
             Some(Command::Check(args)) => check::run(args, &mut out)?,
+            Some(Command::Bands(args)) => bands::run(args, &mut out, &mut err)?,
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
             Some(Command::MeshStiffness(args)) => mesh_stiffness::run(args, &mut out)?,
             Some(Command::ImportMesh(args)) => import_mesh::run(args, &mut out, &mut err)?,
             Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,
+            Some(Command::Doctor(args)) => doctor::run(args, &mut out)?,
         };
         out.flush()?;
         Ok(status)
@@ -151,7 +159,8 @@ struct FileArg {
 /// The models of a command.
 #[derive(Debug, clap::Args)]
 struct ModelArg {
-    /// Models, separated by commas, in the order of the output
+    /// Models, separated by commas, in the order of the output: fe, enhanced, basic, reduced:K (each rotor with its K lowest
+    /// fixed-interface modes)
     #[arg(long, value_delimiter = ',', default_value = "fe,enhanced,basic")]
     model: Vec<ModelKind>,
 }
@@ -166,15 +175,5 @@ impl ModelArg {
             }
         }
         kinds
-    }
-}
-
-impl ValueEnum for ModelKind {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.name()).help(self.title()))
     }
 }

@@ -18,6 +18,16 @@ pub struct Difference {
     pub b: Option<String>,
     /// As people read it; empty where there is none.
     pub unit: &'static str,
+    /// Whether the values are numbers, by what the schema says and not by how they look
+    pub is_number: bool,
+}
+
+impl Difference {
+    /// Both values where they are numbers, in [`unit`](Self::unit).
+    pub fn numbers(&self) -> [Option<f64>; 2] {
+        let number = |text: &Option<String>| Tree::Value(text.clone()?).number();
+        if self.is_number { [&self.a, &self.b].map(number) } else { [None, None] }
+    }
 }
 
 /// What stands for a row that only one design has.
@@ -68,7 +78,7 @@ fn path_of(sheet: &Sheet, row: &Row) -> KeyPath {
 
 fn only_one(tree: &Tree, row: &Row, path: KeyPath, (a, b): (Option<&str>, Option<&str>)) -> Difference {
     let (a, b) = (a.map(String::from), b.map(String::from));
-    Difference { path, label: label::of_table(tree, &row.path), a, b, unit: "" }
+    Difference { path, label: label::of_table(tree, &row.path), a, b, unit: "", is_number: false }
 }
 
 fn rows(trees: &(Tree, Tree), (a, b): (&Row, &Row), path: &KeyPath, found: &mut Vec<Difference>) {
@@ -90,7 +100,8 @@ fn rows(trees: &(Tree, Tree), (a, b): (&Row, &Row), path: &KeyPath, found: &mut 
         }
         let path = below(row, cell).into_iter().fold(path.clone(), |path, step| path.with(step));
         let label = label::of_value(tree, &cell.path);
-        found.push(Difference { path, label, a: value_a, b: value_b, unit: cell.column.unit });
+        let (unit, is_number) = (cell.column.unit, is_number(cell));
+        found.push(Difference { path, label, a: value_a, b: value_b, unit, is_number });
     }
 }
 
@@ -107,14 +118,17 @@ fn value(cell: &Cell) -> Option<String> {
 }
 
 fn is_same(a: &Cell, b: &Cell) -> bool {
-    let number = |cell: &Cell| match cell.kind {
-        CellKind::Number(..) | CellKind::Whole(..) | CellKind::VectorEntry(_) | CellKind::MatrixEntry(..) => {
-            Tree::Value(cell.shown.text().to_owned()).number()
-        }
-        _ => None,
+    let number = |cell: &Cell| {
+        let text = || cell.shown.text().to_owned();
+        is_number(cell).then(text).and_then(|text| Tree::Value(text).number())
     };
     match (number(a), number(b)) {
         (Some(a), Some(b)) => a == b,
         _ => value(a) == value(b),
     }
+}
+
+fn is_number(cell: &Cell) -> bool {
+    use CellKind::{MatrixEntry, Number, VectorEntry, Whole};
+    matches!(cell.kind, Number(..) | Whole(..) | VectorEntry(_) | MatrixEntry(..))
 }

@@ -3,6 +3,8 @@
 use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
+use super::key_path::KeyPath;
+
 /// How bad a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Severity {
@@ -26,14 +28,24 @@ impl Severity {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     pub severity: Severity,
-    /// Which value it is about, by place: `pinion.segment[2].outer_diameter_mm`; empty where it is about the file.
-    pub key_path: String,
+    /// Which value it is about, by place: `pinion.segment[2].outer_diameter_mm`; the root where it is about the file. Names
+    /// may be long: [`shown_path`](Self::shown_path) is clipped.
+    pub key_path: KeyPath,
     /// Bytes of the text it is about.
     pub span: Option<Range<usize>>,
     /// What is wrong and what is wanted, without the key path.
     pub message: String,
     /// What to do about it.
     pub hint: Option<String>,
+}
+
+impl Finding {
+    /// The key path as people read it, clipped; empty where it is about the file.
+    pub fn shown_path(&self) -> String {
+        let mut shown = self.key_path.to_string();
+        clip(&mut shown);
+        shown
+    }
 }
 
 /// Collects findings while a file is read. Shared by everything that reads, so it is written to behind a shared reference.
@@ -56,24 +68,20 @@ impl Collector {
             return self.dropped.set(self.dropped.get() + 1);
         }
         // names may be as long as the file
-        let texts = [Some(&mut finding.key_path), Some(&mut finding.message), finding.hint.as_mut()];
-        texts.into_iter().flatten().for_each(clip);
+        [Some(&mut finding.message), finding.hint.as_mut()].into_iter().flatten().for_each(clip);
+        while finding.key_path.to_string().len() > LONGEST_PATH {
+            finding.key_path = finding.key_path.split_last().map(|(around, _)| around).unwrap_or_default();
+        }
         self.has_error.set(self.has_error.get() || first_error);
         self.kept.borrow_mut().push(finding);
     }
 
-    pub fn error(
-        &self,
-        key_path: &impl ToString,
-        span: Range<usize>,
-        message: impl Into<String>,
-        hint: Option<String>,
-    ) {
+    pub fn error(&self, key_path: &KeyPath, span: Range<usize>, message: impl Into<String>, hint: Option<String>) {
         if self.is_full() {
             // before any more text is made
             return self.dropped.set(self.dropped.get() + 1);
         }
-        let (key_path, message) = (key_path.to_string(), message.into());
+        let (key_path, message) = (key_path.clone(), message.into());
         self.push(Finding { severity: Severity::Error, key_path, span: Some(span), message, hint });
     }
 
@@ -90,7 +98,7 @@ impl Collector {
         if dropped > 0 {
             let severity = if findings.iter().any(is_error) { Severity::Error } else { Severity::Warning };
             let message = format!("{dropped} more findings are not shown");
-            findings.push(Finding { severity, key_path: String::new(), span: None, message, hint: None });
+            findings.push(Finding { severity, key_path: KeyPath::root(), span: None, message, hint: None });
         }
         findings
     }
@@ -98,6 +106,8 @@ impl Collector {
 
 /// Longest text of a finding, in characters.
 const LONGEST: usize = 500;
+/// Longest key path, in bytes as it prints: a longer one, of a hostile file, leads to the table around only.
+const LONGEST_PATH: usize = 10_000;
 
 fn clip(text: &mut String) {
     if let Some((end, _)) = text.char_indices().nth(LONGEST) {

@@ -207,7 +207,7 @@ fn quoted(rest: &str) -> Result<(String, &str), &'static str> {
 mod tests {
     use super::*;
 
-    // Both forms are the contract's: by name and by place.
+    // By name and by place: the two forms that users may write.
     #[test]
     fn both_forms_read_and_print_alike() {
         for text in [

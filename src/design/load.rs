@@ -1,6 +1,5 @@
 //! Design files from disk or standard input.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -8,6 +7,7 @@ use super::finding::{Finding, is_error};
 use super::model::Design;
 use super::read::read;
 use super::render::Source;
+use super::text_file::{TextError, read_text, read_text_from};
 use crate::text::printable;
 
 /// Largest design file that is read, in bytes.
@@ -52,6 +52,16 @@ pub enum LoadError {
 }
 
 impl LoadError {
+    fn of(error: TextError, name: String) -> Self {
+        match error {
+            TextError::Folder => Self::Folder { name },
+            TextError::NotFound => Self::NotFound { name },
+            TextError::TooLarge { .. } => Self::TooLarge { name },
+            TextError::NotUtf8 { line, byte, value } => Self::NotUtf8 { name, line, byte, value },
+            TextError::Io(source) => Self::Io { name, source },
+        }
+    }
+
     /// The reason in one line, without the file's name: `line 12: pinion.segment[0].lenght_mm: unknown key (and 2 more errors)`.
     pub fn reason(&self) -> String {
         match self {
@@ -73,8 +83,9 @@ fn reason_of(text: &str, findings: &[Finding]) -> String {
     if let Some(span) = &first.span {
         reason = format!("line {}: ", Source::new("", text).position(span.start).line);
     }
-    if !first.key_path.is_empty() {
-        reason.push_str(&printable(&first.key_path));
+    let path = first.shown_path();
+    if !path.is_empty() {
+        reason.push_str(&printable(&path));
         reason.push_str(": ");
     }
     reason.push_str(&printable(&first.message));
@@ -95,21 +106,9 @@ pub fn load(path: &Path) -> Result<Loaded, LoadError> {
         return load_from(io::stdin().lock(), "standard input");
     }
     let name = path.display().to_string();
-    let fail = |source: io::Error, name: String| match source.kind() {
-        io::ErrorKind::NotFound => LoadError::NotFound { name },
-        io::ErrorKind::IsADirectory => LoadError::Folder { name },
-        _ => LoadError::Io { name, source },
-    };
-    // asked before opening: opening a folder is an error on some systems and none on others
-    match std::fs::metadata(path) {
-        Ok(metadata) if metadata.is_dir() => return Err(LoadError::Folder { name }),
-        Ok(metadata) if metadata.is_file() && metadata.len() > MAX_BYTES => return Err(LoadError::TooLarge { name }),
-        Ok(_) => {}
-        Err(source) => return Err(fail(source, name)),
-    }
-    match File::open(path) {
-        Ok(file) => load_from(file, &name),
-        Err(source) => Err(fail(source, name)),
+    match read_text(path, MAX_BYTES) {
+        Ok(text) => loaded(text, name),
+        Err(error) => Err(LoadError::of(error, name)),
     }
 }
 
@@ -119,24 +118,17 @@ pub fn load(path: &Path) -> Result<Loaded, LoadError> {
 ///
 /// [`LoadError`] says why there is no design.
 pub fn load_from(reader: impl Read, name: &str) -> Result<Loaded, LoadError> {
-    let name = name.to_string();
-    let mut bytes = Vec::new();
-    match reader.take(MAX_BYTES + 1).read_to_end(&mut bytes) {
-        Ok(0) => return Err(LoadError::Empty { name }),
-        Ok(count) if count as u64 > MAX_BYTES => return Err(LoadError::TooLarge { name }),
-        Ok(_) => {}
-        Err(source) if source.kind() == io::ErrorKind::IsADirectory => return Err(LoadError::Folder { name }),
-        Err(source) => return Err(LoadError::Io { name, source }),
+    let name = name.to_owned();
+    match read_text_from(reader, MAX_BYTES) {
+        Ok(text) => loaded(text, name),
+        Err(error) => Err(LoadError::of(error, name)),
     }
-    let text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => {
-            let byte = error.utf8_error().valid_up_to();
-            let bytes = error.as_bytes();
-            let line = bytes[..byte].split(|byte| *byte == b'\n').count();
-            return Err(LoadError::NotUtf8 { name, line, byte, value: bytes.get(byte).copied().unwrap_or_default() });
-        }
-    };
+}
+
+fn loaded(text: String, name: String) -> Result<Loaded, LoadError> {
+    if text.is_empty() {
+        return Err(LoadError::Empty { name });
+    }
     let reading = read(&text);
     match reading.design {
         Some(design) => Ok(Loaded { design, text, warnings: reading.findings, name }),

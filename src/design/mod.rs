@@ -8,13 +8,16 @@
 
 #[macro_use]
 mod declare;
+mod changes;
 mod check;
 mod diff;
 mod document;
+mod draft;
 mod edit;
 mod finding;
 mod geometry;
 pub mod grid;
+mod hash;
 mod key_path;
 mod label;
 pub mod library;
@@ -29,13 +32,16 @@ mod save;
 pub mod schema;
 mod side;
 mod station;
+mod text_file;
 mod totals;
 
+pub use changes::{Changes, LineChange};
 pub use diff::{Difference, diff};
 pub use document::{Document, EditError};
 pub use edit::{Applied, Edit, EditName, Editor, Spelled, Towards};
 pub use finding::{Finding, Severity};
 pub use geometry::*;
+pub use hash::hash;
 pub use key_path::{KeyPath, KeyPathError, Step};
 pub use load::{LoadError, Loaded, MAX_BYTES, load, load_from};
 pub use model::*;
@@ -47,4 +53,5 @@ pub use rotor::*;
 pub use save::{SaveError, save, save_new};
 pub use side::Side;
 pub use station::{MAX_STATIONS, SAME_STATION};
+pub(crate) use text_file::{TextError, read_text};
 pub use totals::Totals;

@@ -49,8 +49,9 @@ impl<'a> Source<'a> {
             let _ = write!(shown, ":{}:{}", position.line, position.column);
         }
         let _ = write!(shown, ": {}: ", finding.severity.word());
-        if !finding.key_path.is_empty() {
-            let _ = write!(shown, "{}: ", printable(&finding.key_path));
+        let path = finding.shown_path();
+        if !path.is_empty() {
+            let _ = write!(shown, "{}: ", printable(&path));
         }
         let _ = writeln!(shown, "{}", printable(&finding.message));
         if let Some(span) = &finding.span {

@@ -1,10 +1,11 @@
 //! Writing a design file so that there is always a whole one: the old or the new.
 
-use std::fs::{self, File, Metadata, OpenOptions};
-use std::io::{self, Write as _};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 
+use super::draft::{Draft, clear_stale, sync_folder};
+use super::load::MAX_BYTES;
 use crate::text::printable;
 
 /// Why a file was not written. Whatever was there is untouched.
@@ -22,6 +23,9 @@ pub enum SaveError {
     Exists(PathBuf),
     #[error("{}: the folder is not there", shown(.0))]
     NoFolder(PathBuf),
+    /// With the bytes that the file has now; nothing where it is gone
+    #[error("{}: the file has changed on disk", shown(.0))]
+    Changed(PathBuf, Option<Vec<u8>>),
     /// `doing` is what could not be done, e.g. `cannot be written`
     #[error("{}: {doing}: {source}", shown(.path))]
     Io { path: PathBuf, doing: &'static str, source: io::Error },
@@ -39,6 +43,38 @@ fn shown(path: &Path) -> String {
 ///
 /// [`SaveError`]; the old file is untouched then, and nothing is left beside it.
 pub fn save(path: &Path, text: &str) -> Result<(), SaveError> {
+    let (target, draft) = draft_for(path, text)?;
+    replace(draft, &target, path).map(drop)
+}
+
+/// As [`save`], if the file still holds `expected`, or still is not there where that is nothing: this is looked at last,
+/// when the new text is on the disk already. Gives the file that is in place now, [locked](File::try_lock) where the file system has
+/// locks. Where somebody else wrote the same text, nothing is left to do and no file is given.
+///
+/// # Errors
+///
+/// [`SaveError::Changed`] where the file holds anything else; otherwise as [`save`].
+pub(super) fn save_over(path: &Path, expected: Option<&[u8]>, text: &str) -> Result<Option<File>, SaveError> {
+    let (target, draft) = draft_for(path, text)?;
+    let now = content(&target, path)?;
+    if now.as_deref() == Some(text.as_bytes()) {
+        return Ok(None);
+    }
+    if now.as_deref() != expected {
+        return Err(SaveError::Changed(path.into(), now));
+    }
+    if expected.is_some() {
+        return replace(draft, &target, path).map(Some);
+    }
+    match move_to_free(draft.path(), &target) {
+        Ok(()) => Ok(Some(draft.file)),
+        Err(SaveError::Exists(_)) => Err(SaveError::Changed(path.into(), content(&target, path)?)),
+        Err(error) => Err(error),
+    }
+}
+
+/// The text beside the file that it is meant for, and where that file is.
+fn draft_for(path: &Path, text: &str) -> Result<(PathBuf, Draft), SaveError> {
     let target = followed(path)?;
     let old = match fs::metadata(&target) {
         Ok(old) if old.is_dir() => return Err(SaveError::Folder(path.into())),
@@ -48,11 +84,29 @@ pub fn save(path: &Path, text: &str) -> Result<(), SaveError> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(source) => return Err(SaveError::Io { path: path.into(), doing: "cannot be reached", source }),
     };
+    clear_stale(folder_of(&target));
     let draft = Draft::write(&target, path, text.as_bytes(), old.as_ref())?;
-    let renamed = fs::rename(&draft.path, &target);
-    renamed.map_err(|source| SaveError::Io { path: path.into(), doing: "cannot be replaced", source })?;
-    sync_folder(&target);
-    Ok(())
+    Ok((target, draft))
+}
+
+fn replace(draft: Draft, target: &Path, named: &Path) -> Result<File, SaveError> {
+    let renamed = fs::rename(draft.path(), target);
+    renamed.map_err(|source| SaveError::Io { path: named.into(), doing: "cannot be replaced", source })?;
+    sync_folder(target);
+    Ok(draft.file)
+}
+
+/// What a file holds now; nothing where it is not there.
+fn content(target: &Path, named: &Path) -> Result<Option<Vec<u8>>, SaveError> {
+    let failed =
+        |source| SaveError::Io { path: named.into(), doing: "cannot be compared with what is there now", source };
+    let mut bytes = Vec::new();
+    match File::open(target).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)) {
+        Ok(length) if length as u64 > MAX_BYTES => Err(failed(io::Error::other("it is larger than 4 MiB"))),
+        Ok(_) => Ok(Some(bytes)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(failed(error)),
+    }
 }
 
 /// Makes a file that must not be there yet; otherwise as [`save`].
@@ -65,7 +119,7 @@ pub fn save_new(path: &Path, content: impl AsRef<[u8]>) -> Result<(), SaveError>
         return Err(SaveError::Exists(path.into()));
     }
     let draft = Draft::write(path, path, content.as_ref(), None)?;
-    move_to_free(&draft.path, path)
+    move_to_free(draft.path(), path)
 }
 
 /// Renames a file to a name that nothing has: where something has it meanwhile, it is left alone.
@@ -112,91 +166,9 @@ fn followed(path: &Path) -> Result<PathBuf, SaveError> {
     Err(SaveError::Io { path: path.into(), doing: "cannot be reached", source })
 }
 
-/// A file beside the one that is meant; removed unless it took its place.
-struct Draft {
-    path: PathBuf,
-}
-
-impl Drop for Draft {
-    fn drop(&mut self) {
-        // gone already where all went well
-        let _ = fs::remove_file(&self.path);
-    }
-}
-
-impl Draft {
-    /// Writes the text beside `target`. `named` is what the file is called in errors.
-    fn write(target: &Path, named: &Path, content: &[u8], old: Option<&Metadata>) -> Result<Self, SaveError> {
-        let folder = folder_of(target);
-        if !folder.is_dir() {
-            return Err(SaveError::NoFolder(named.into()));
-        }
-        let failed = |doing| move |source| SaveError::Io { path: named.into(), doing, source };
-        let (path, mut file) = make(folder, old.is_some()).map_err(failed("a file cannot be made in its folder"))?;
-        let draft = Self { path };
-        file.write_all(content).map_err(failed("cannot be written"))?;
-        if let Some(old) = old {
-            keep_owner(&file, old);
-            file.set_permissions(old.permissions()).map_err(failed("its permissions cannot be kept"))?;
-        }
-        file.sync_all().map_err(failed("cannot be written"))?;
-        Ok(draft)
-    }
-}
-
-/// Makes a file with a name that nothing has.
-fn make(folder: &Path, private: bool) -> io::Result<(PathBuf, File)> {
-    /// How many may be left over from processes of the same number that were ended half-way
-    const MOST_LEFT: u64 = 1000;
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    for left in 1.. {
-        let count = COUNT.fetch_add(1, Ordering::Relaxed);
-        let path = folder.join(format!(".bevelscope.{}.{count}.new", std::process::id()));
-        match options(private).open(&path) {
-            Ok(file) => return Ok((path, file)),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && left < MOST_LEFT => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Err(io::ErrorKind::AlreadyExists.into())
-}
-
-/// What is to replace a file is nobody else's to read before it has that file's permissions.
-fn options(private: bool) -> OpenOptions {
-    let mut options = OpenOptions::new();
-    options.write(true).create_new(true);
-    #[cfg(unix)]
-    if private {
-        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
-    }
-    #[cfg(not(unix))]
-    let _ = private;
-    options
-}
-
-/// Only the superuser may give files away; anyone else keeps the group at most.
-fn keep_owner(file: &File, old: &Metadata) {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::{MetadataExt, fchown};
-        if fchown(file, Some(old.uid()), Some(old.gid())).is_err() {
-            let _ = fchown(file, None, Some(old.gid()));
-        }
-    }
-    #[cfg(not(unix))]
-    let _ = (file, old);
-}
-
-fn folder_of(path: &Path) -> &Path {
+pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    }
-}
-
-/// So that the name survives a power cut. Not every system can; the file itself is safe by now.
-fn sync_folder(path: &Path) {
-    if let Ok(folder) = File::open(folder_of(path)) {
-        let _ = folder.sync_all();
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Coordinate, Place, RotorModel};
+use super::{Coordinate, RotorModel};
 use crate::design::{Design, Side};
 use crate::rotor::{Motion, Rotor, ShaftMatrices, mesh_vector, signed};
 
@@ -15,8 +15,9 @@ pub fn rotor(design: &Design, rotor: &Rotor, side: Side) -> RotorModel {
     let size = n + usize::from(input.drive.is_some());
     let mut stiffness = DMatrix::zeros(size, size);
     let mut mass = DMatrix::zeros(size, size);
-    for (row, &i) in kept.iter().enumerate() {
-        for (column, &j) in kept.iter().enumerate() {
+    // column by column, as they lie in memory
+    for (column, &j) in kept.iter().enumerate() {
+        for (row, &i) in kept.iter().enumerate() {
             stiffness[(row, column)] = shaft.stiffness[(i, j)];
             mass[(row, column)] = shaft.mass[(i, j)];
         }
@@ -36,13 +37,13 @@ pub fn rotor(design: &Design, rotor: &Rotor, side: Side) -> RotorModel {
         {
             join_drive(&mut stiffness, row, n, drive.torsional_stiffness);
         }
-        coordinates.push(Coordinate { place: Place::Station(station), motion: Motion::ALL[motion] });
+        coordinates.push(Coordinate::Station(station, Motion::ALL[motion]));
     }
     if let Some(drive) = input.drive {
         mass[(n, n)] = drive.inertia;
-        coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+        coordinates.push(Coordinate::Drive);
     }
-    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station }
+    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station, reduction: None }
 }
 
 /// Adds a torsional spring (N m/rad) between two coordinates.

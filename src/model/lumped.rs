@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Coordinate, Place, RotorModel, fe};
+use super::{Coordinate, RotorModel, fe};
 use crate::design::{Design, Side};
 use crate::rotor::{Motion, Rotor, mesh_vector, signed};
 
@@ -30,29 +30,40 @@ impl LumpedMass {
     }
 }
 
-/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation where there is a drive.
-pub fn rotor(design: &Design, rotor: &Rotor, side: Side, masses: LumpedMass) -> RotorModel {
-    const SHAFT_ROTATION: usize = 4;
-    const DRIVE: usize = 6;
-    let input = design.rotor(side);
-    let size = DRIVE + usize::from(input.drive.is_some());
+/// Index of the shaft's rotation thy among the coordinates of a lumped rotor.
+const SHAFT_ROTATION: usize = 4;
+/// Index of the drive's rotation, where there is a drive.
+const DRIVE: usize = 6;
+
+/// `K_ll` (35) and the torsional spring to the drive: N/m, N, N m/rad; order x, y, z, thx, thy, thz, then the drive if any.
+pub(super) fn stiffness(design: &Design, rotor: &Rotor, side: Side) -> DMatrix<f64> {
+    let drive = design.rotor(side).drive;
+    let size = DRIVE + usize::from(drive.is_some());
     let mut stiffness = DMatrix::zeros(size, size);
     stiffness.fixed_view_mut::<6, 6>(0, 0).copy_from(&rotor.statics.shaft_bearing_stiffness);
+    if let Some(drive) = drive {
+        // the shaft's own torsion lies in series: without it the low-frequency response would be wrong
+        let spring = 1.0 / (1.0 / drive.torsional_stiffness + rotor.stations.torsional_compliance());
+        fe::join_drive(&mut stiffness, SHAFT_ROTATION, DRIVE, spring);
+    }
+    stiffness
+}
+
+/// Coordinates x, y, z, thx, thy, thz of the mesh station, then the drive's rotation where there is a drive.
+pub fn rotor(design: &Design, rotor: &Rotor, side: Side, masses: LumpedMass) -> RotorModel {
+    let stiffness = stiffness(design, rotor, side);
+    let size = stiffness.nrows();
     let mut mass = DMatrix::zeros(size, size);
     for (i, value) in masses.diagonal(rotor).into_iter().enumerate() {
         mass[(i, i)] = value;
     }
     let mut mesh = DVector::zeros(size);
     mesh.fixed_rows_mut::<6>(0).copy_from(&(signed(side) * mesh_vector(design.mesh.vectors(side))));
-    let station = Place::Station(0);
     let mut coordinates: Vec<Coordinate> =
-        Motion::ALL.into_iter().map(|motion| Coordinate { place: station, motion }).collect();
-    if let Some(drive) = input.drive {
-        // the shaft's own torsion lies in series: without it the low-frequency response would be wrong
-        let spring = 1.0 / (1.0 / drive.torsional_stiffness + rotor.stations.torsional_compliance());
-        fe::join_drive(&mut stiffness, SHAFT_ROTATION, DRIVE, spring);
+        Motion::ALL.into_iter().map(|motion| Coordinate::Station(0, motion)).collect();
+    if let Some(drive) = design.rotor(side).drive {
         mass[(DRIVE, DRIVE)] = drive.inertia;
-        coordinates.push(Coordinate { place: Place::Drive, motion: Motion::ThY });
+        coordinates.push(Coordinate::Drive);
     }
-    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station: 0 }
+    RotorModel { stiffness, mass, mesh_vector: mesh, coordinates, mesh_station: 0, reduction: None }
 }

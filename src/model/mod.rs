@@ -3,64 +3,69 @@
 //! The finite element model and both lumped models end up as the same small struct [`Model`]; damping, excitation and response are
 //! written once for all of them.
 
+mod caveat;
+mod eigen;
 mod fe;
+mod kind;
 mod lumped;
+mod recovery;
+mod reduced;
+mod tridiagonal;
 
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-pub use crate::rotor::mesh_vector;
+pub use crate::rotor::{mesh_vector, pinion_speed_rpm};
+pub use caveat::{Caveat, CaveatKind};
+pub use eigen::{RotorModes, WorkDone, modes_work, natural_modes, natural_modes_over};
+pub use kind::{ModelKind, UnknownModel};
 pub use lumped::LumpedMass;
+pub use recovery::{Bearing, Recovery, RecoveryKind};
+pub use reduced::CraigBampton;
+pub use tridiagonal::QrError;
 
 use crate::design::{DampingModel, Design, Side};
 use crate::rotor::{Motion, Rotor, RotorError};
 
-/// The models that are solved side by side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ModelKind {
-    /// Dynamic finite element model, section 2 of Hua et al. (2012)
-    Fe,
-    /// Lumped model with effective masses from the first bending modes, section 3.2
-    Enhanced,
-    /// Lumped model with the rotors' whole masses, "previous" in the paper
-    Basic,
-}
-
-impl ModelKind {
-    pub const ALL: [Self; 3] = [Self::Fe, Self::Enhanced, Self::Basic];
-
-    /// Name on the command line and in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fe => "fe",
-            Self::Enhanced => "enhanced",
-            Self::Basic => "basic",
-        }
-    }
-
-    /// Name in headings.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Fe => "Finite element model",
-            Self::Enhanced => "Enhanced lumped model",
-            Self::Basic => "Basic lumped model",
-        }
-    }
-}
-
-/// Where a coordinate of a rotor sits.
+/// What a coordinate of a rotor measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Coordinate {
-    pub place: Place,
-    pub motion: Motion,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// Station number; the mesh station is the only one of a lumped model
-    Station(usize),
-    /// Engine or load
+pub enum Coordinate {
+    /// Motion of a station, by its number; the mesh station is the only one of a lumped model
+    Station(usize, Motion),
+    /// Rotation of engine or load, where there is one
     Drive,
+    /// Amplitude of a mode of the rotor with mesh station and drive held, by its number from the lowest
+    FixedInterfaceMode(usize),
+}
+
+impl Coordinate {
+    /// The motion, where the coordinate is one.
+    pub fn motion(self) -> Option<Motion> {
+        match self {
+            Self::Station(_, motion) => Some(motion),
+            Self::Drive => Some(Motion::ThY),
+            Self::FixedInterfaceMode(_) => None,
+        }
+    }
+}
+
+/// Where a reduced rotor comes from.
+#[derive(Debug, Clone)]
+pub struct Reduction {
+    /// The finite element rotor
+    pub full: RotorModel,
+    /// Displacements of its coordinates for a unit of each reduced one
+    pub basis: DMatrix<f64>,
+}
+
+/// Why a model cannot be built.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ModelError {
+    #[error(
+        "{} shaft: the matrices cannot be reduced to the mesh station: values lie too many orders of magnitude apart",
+        .0.name()
+    )]
+    IllConditioned(Side),
 }
 
 /// One rotor of a model without the mesh: K, M and the mesh vector over its free coordinates.
@@ -75,24 +80,26 @@ pub struct RotorModel {
     pub coordinates: Vec<Coordinate>,
     /// Station of the mesh
     pub mesh_station: usize,
+    /// The rotor that this one is reduced from, and how; `None` where its coordinates are motions
+    pub reduction: Option<Box<Reduction>>,
 }
 
 impl RotorModel {
     /// Free rotation of the whole rotor about its axis: 1 on every thy, and the one motion that K does not resist.
     pub fn rotation(&self) -> DVector<f64> {
-        let turns = |coordinate: &Coordinate| f64::from(u8::from(coordinate.motion == Motion::ThY));
+        let turns = |coordinate: &Coordinate| f64::from(u8::from(coordinate.motion() == Some(Motion::ThY)));
         DVector::from_iterator(self.coordinates.len(), self.coordinates.iter().map(turns))
     }
 
     /// Index of a motion of the mesh station.
     pub fn at_mesh(&self, motion: Motion) -> Option<usize> {
-        let wanted = Coordinate { place: Place::Station(self.mesh_station), motion };
+        let wanted = Coordinate::Station(self.mesh_station, motion);
         self.coordinates.iter().position(|coordinate| *coordinate == wanted)
     }
 
     /// Index of the drive's coordinate.
     pub fn drive(&self) -> Option<usize> {
-        self.coordinates.iter().position(|coordinate| coordinate.place == Place::Drive)
+        self.coordinates.iter().position(|coordinate| *coordinate == Coordinate::Drive)
     }
 }
 
@@ -115,22 +122,42 @@ pub struct Model {
 
 impl Model {
     /// Builds one of the models from the two solved rotors.
-    pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Self {
-        let rotor = |side: Side| match (kind, side) {
-            (ModelKind::Fe, _) => fe::rotor(design, rotors.get(side), side),
-            (ModelKind::Enhanced, _) => lumped::rotor(design, rotors.get(side), side, LumpedMass::Enhanced),
-            (ModelKind::Basic, _) => lumped::rotor(design, rotors.get(side), side, LumpedMass::Basic),
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError`] where a reduced model's rotor cannot be factorised; the others always exist.
+    pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Self, ModelError> {
+        let rotor = |side: Side| match kind {
+            ModelKind::Fe => Ok(fe::rotor(design, rotors.get(side), side)),
+            ModelKind::Enhanced => Ok(lumped::rotor(design, rotors.get(side), side, LumpedMass::Enhanced)),
+            ModelKind::Basic => Ok(lumped::rotor(design, rotors.get(side), side, LumpedMass::Basic)),
+            ModelKind::Reduced(modes) => Ok(CraigBampton::new(design, rotors.get(side), side)?.keep(modes)),
         };
+        Ok(Self::join(kind, design, rotor(Side::Pinion)?, rotor(Side::Gear)?))
+    }
+
+    /// Two rotors of one kind on the mesh of a design.
+    pub fn join(kind: ModelKind, design: &Design, pinion: RotorModel, gear: RotorModel) -> Self {
         Self {
             kind,
-            pinion: rotor(Side::Pinion),
-            gear: rotor(Side::Gear),
+            pinion,
+            gear,
             mesh_stiffness: design.mesh.stiffness,
             mesh_damping: design.mesh.damping,
             structural_damping: design.analysis.structural_damping,
             damping_model: design.analysis.damping_model,
             transmission_error: design.mesh.transmission_error,
         }
+    }
+
+    /// How the whole shafts, pinion first, follow from the coordinates of this model of the design.
+    ///
+    /// # Errors
+    ///
+    /// As [`Recovery::new`].
+    pub fn recovery(&self, design: &Design, rotors: &Rotors) -> Result<[Recovery; 2], ModelError> {
+        let of = |side: Side, model: &RotorModel| Recovery::new(self.kind, design, rotors.get(side), side, model);
+        Ok([of(Side::Pinion, &self.pinion)?, of(Side::Gear, &self.gear)?])
     }
 
     pub fn rotors(&self) -> [&RotorModel; 2] {
@@ -167,18 +194,25 @@ pub struct Rotors {
     pub gear: Rotor,
 }
 
-/// A [`RotorError`] with the rotor it concerns.
+/// What is wrong with one rotor, or with both.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{} shaft: {error}", side.name())]
-pub struct RotorsError {
-    pub side: Side,
-    pub error: RotorError,
+#[error("{}", sentences(.0))]
+pub struct RotorsError(pub Vec<(Side, RotorError)>);
+
+fn sentences(errors: &[(Side, RotorError)]) -> String {
+    if let [(_, pinion), (_, gear)] = errors
+        && pinion == gear
+    {
+        return format!("both shafts: {pinion}");
+    }
+    let sentence = |(side, error): &(Side, RotorError)| format!("{} shaft: {error}", side.name());
+    errors.iter().map(sentence).collect::<Vec<_>>().join("; ")
 }
 
 impl Rotors {
     /// # Errors
     ///
-    /// [`RotorsError`] names the rotor that cannot be built or is not held.
+    /// [`RotorsError`] names each rotor that cannot be built or is not held.
     pub fn new(design: &Design) -> Result<Self, RotorsError> {
         Self::reusing(design, None)
     }
@@ -189,11 +223,19 @@ impl Rotors {
     ///
     /// As [`new`](Self::new).
     pub fn reusing(design: &Design, earlier: Option<&Self>) -> Result<Self, RotorsError> {
-        let build = |side| {
-            let earlier = earlier.map(|rotors| &rotors.get(side).mean_states);
-            Rotor::reusing(design, side, earlier).map_err(|error| RotorsError { side, error })
-        };
-        Ok(Self { pinion: build(Side::Pinion)?, gear: build(Side::Gear)? })
+        let build = |side| Rotor::reusing(design, side, earlier.map(|rotors| &rotors.get(side).mean_states));
+        match Side::BOTH.map(build) {
+            [Ok(pinion), Ok(gear)] => Ok(Self { pinion, gear }),
+            [pinion, gear] => {
+                let errors = [(Side::Pinion, pinion.err()), (Side::Gear, gear.err())];
+                Err(RotorsError(errors.into_iter().filter_map(|(side, error)| Some((side, error?))).collect()))
+            }
+        }
+    }
+
+    /// What the enhanced model rests on besides the first bending modes.
+    pub fn caveats(&self) -> Vec<Caveat> {
+        caveat::of(self)
     }
 
     pub fn get(&self, side: Side) -> &Rotor {

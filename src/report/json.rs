@@ -1,12 +1,13 @@
 //! The shapes of the JSON output, and how it is written.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use serde::ser::{Serialize, Serializer};
 
 /// Fields in a given order, for objects whose keys are data (model names).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Object<T>(pub Vec<(&'static str, T)>);
+pub struct Object<T>(pub Vec<(Cow<'static, str>, T)>);
 
 impl<T: Serialize> Serialize for Object<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

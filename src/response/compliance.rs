@@ -4,11 +4,13 @@
 //! F_m = - k_m* e / (1 + alpha k_m*). In the real modes of each rotor alpha is a sum of one term a mode, whatever the damping ratios,
 //! the mesh stiffness or e.
 
+use std::ops::ControlFlow;
+
 use num_complex::Complex64;
 
-use super::{ResponseError, rotor_modes};
+use super::{ResponseError, rotor_modes_over};
 use crate::design::Side;
-use crate::model::Model;
+use crate::model::{Model, RotorModes, WorkDone};
 
 /// Compliance of both rotors at the mesh as a sum over their modes.
 #[derive(Debug, Clone)]
@@ -29,11 +31,25 @@ impl Compliance {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`].
+    /// As [`super::rotor_modes`].
     pub fn new(model: &Model) -> Result<Self, ResponseError> {
+        Self::over(model, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// As [`Compliance::new`]; `done` hears of the work, [`crate::model::modes_work`] of both rotors in all.
+    ///
+    /// # Errors
+    ///
+    /// As [`rotor_modes_over`].
+    pub fn over(model: &Model, done: &mut WorkDone<'_>) -> Result<Self, ResponseError> {
+        let pinion = rotor_modes_over(&model.pinion, Side::Pinion, done)?;
+        Ok(Self::with_modes(model, &[pinion, rotor_modes_over(&model.gear, Side::Gear, done)?]))
+    }
+
+    /// From modes that are known.
+    pub fn with_modes(model: &Model, modes: &[RotorModes; 2]) -> Self {
         let mut terms = Vec::with_capacity(model.coordinates());
-        for (side, rotor) in Side::BOTH.into_iter().zip(model.rotors()) {
-            let modes = rotor_modes(rotor, side)?;
+        for (modes, rotor) in modes.iter().zip(model.rotors()) {
             let participation = modes.participation(&rotor.mesh_vector);
             for ((g, &stiffness), &mass) in participation.iter().zip(&modes.stiffness).zip(&modes.mass) {
                 if *g != 0.0 {
@@ -41,7 +57,7 @@ impl Compliance {
                 }
             }
         }
-        Ok(Self { terms })
+        Self { terms }
     }
 
     /// alpha(w), m/N, at `omega` (rad/s, greater than 0) under the factor 1 + j s zeta_s on the stiffness.

@@ -1,16 +1,24 @@
 //! How a model responds: natural modes, the exact shortcut to the mesh force, and the direct solve it is held against.
 
+mod bearing_forces;
+mod character;
 mod compliance;
+mod deflection;
 mod direct;
-mod eigen;
 mod modes;
+mod refined;
+mod rotor_modes;
 mod secular;
 mod spectrum;
 
+pub use bearing_forces::{BearingForces, BearingSpectrum};
+pub use character::{Dominant, MotionGroup};
 pub use compliance::Compliance;
+pub use deflection::{StationShape, mode_shape, operating_deflection};
 pub use direct::direct_spectrum;
-pub use eigen::{RotorModes, rotor_modes};
 pub use modes::{EnergyShare, Mode, Modes};
+pub use refined::refined_lines;
+pub use rotor_modes::{both_rotor_modes, rotor_modes, rotor_modes_over};
 pub use spectrum::{Spectrum, frequency_lines};
 
 use crate::design::Side;
@@ -26,4 +34,6 @@ pub enum ResponseError {
     ModesNotFinite,
     #[error("the {what} is too large or too small to compute with at {at_hz:?} Hz")]
     LineNotFinite { what: &'static str, at_hz: f64 },
+    #[error("cancelled")]
+    Cancelled,
 }

@@ -23,12 +23,21 @@ pub struct EnergyShare {
     pub torsion: f64,
 }
 
+/// Below this a mode is the rigid rotation, Hz.
+pub(super) const RIGID_HZ: f64 = 0.01;
+
 /// One natural mode.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
     pub frequency_hz: f64,
     pub pinion: EnergyShare,
     pub gear: EnergyShare,
+    /// Shares of the kinetic energy in each motion of a rotor, pinion first, in the order of [`Motion::ALL`]; the drive turns with thy
+    pub motions: [[f64; 6]; 2],
+    /// Share of the strain energy that sits in the mesh: k_m (h . phi)^2 / lambda; 0 for the rigid rotation
+    pub mesh_strain_share: f64,
+    /// (h . phi)^2: how strongly the mesh drives the mode
+    pub participation: f64,
     /// phi^T M phi = 1; the pinion's coordinates, then the gear's
     pub shape: DVector<f64>,
 }
@@ -61,13 +70,21 @@ impl Modes {
             };
             let frequency_hz = eigenvalue.value(lambda).max(0.0).sqrt() / TAU;
             let (top, bottom) = (model.pinion.coordinates.len(), model.gear.coordinates.len());
-            let energy = energies(&model.pinion, &shape.rows(0, top).into_owned())
-                .chain(energies(&model.gear, &shape.rows(top, bottom).into_owned()))
-                .collect::<Vec<_>>();
-            let total: f64 = energy.iter().map(|(_, energy)| energy).sum();
-            let shares = |part: &[(Motion, f64)]| share(part, total);
-            let (pinion, gear) = energy.split_at(top);
-            let mode = Mode { frequency_hz, pinion: shares(pinion), gear: shares(gear), shape: shape / total.sqrt() };
+            let pinion = energies(&model.pinion, &shape.rows(0, top).into_owned());
+            let gear = energies(&model.gear, &shape.rows(top, bottom).into_owned());
+            let total: f64 = pinion.iter().chain(&gear).map(|(_, energy)| energy).sum();
+            let motions = [&pinion, &gear].map(|energies| shares(energies, total));
+            let shape = shape / total.sqrt();
+            let h_p = model.pinion.mesh_vector.dot(&shape.rows(0, top));
+            let h_g = model.gear.mesh_vector.dot(&shape.rows(top, bottom));
+            let participation = (h_p + h_g).powi(2);
+            let lambda = eigenvalue.value(lambda);
+            // the rigid rotation does not strain anything, and what rounding leaves of it is no share
+            let at_rest = frequency_hz < RIGID_HZ;
+            let mesh_strain_share =
+                if at_rest { 0.0 } else { (model.mesh_stiffness * participation / lambda).clamp(0.0, 1.0) };
+            let [pinion, gear] = motions.map(EnergyShare::from);
+            let mode = Mode { frequency_hz, pinion, gear, motions, mesh_strain_share, participation, shape };
             if frequency_hz.is_finite() && total > 0.0 && mode.shape.iter().all(|entry| entry.is_finite()) {
                 Ok(mode)
             } else {
@@ -78,24 +95,28 @@ impl Modes {
     }
 }
 
-/// Kinetic energy phi_i (M phi)_i of each coordinate of a rotor.
-fn energies<'a>(rotor: &'a RotorModel, shape: &DVector<f64>) -> impl Iterator<Item = (Motion, f64)> + use<'a> {
+/// Kinetic energy phi_i (M phi)_i of each motion of a rotor; a reduced rotor's are those of the whole shaft that it stands for.
+fn energies(rotor: &RotorModel, shape: &DVector<f64>) -> Vec<(Motion, f64)> {
+    if let Some(reduction) = &rotor.reduction {
+        return energies(&reduction.full, &(&reduction.basis * shape));
+    }
     let products = shape.component_mul(&(&rotor.mass * shape));
-    rotor.coordinates.iter().enumerate().map(move |(i, coordinate)| (coordinate.motion, products[i]))
+    let motions = rotor.coordinates.iter().zip(products.iter());
+    motions.filter_map(|(coordinate, energy)| Some((coordinate.motion()?, *energy))).collect()
 }
 
-fn share(energies: &[(Motion, f64)], total: f64) -> EnergyShare {
-    let mut out = EnergyShare::default();
+fn shares(energies: &[(Motion, f64)], total: f64) -> [f64; 6] {
+    let mut out = [0.0; 6];
     for &(motion, energy) in energies {
-        let target = match motion {
-            Motion::X | Motion::Z => &mut out.lateral,
-            Motion::Y => &mut out.axial,
-            Motion::ThX | Motion::ThZ => &mut out.tilt,
-            Motion::ThY => &mut out.torsion,
-        };
-        *target += energy / total;
+        out[motion as usize] += energy / total;
     }
     out
+}
+
+impl From<[f64; 6]> for EnergyShare {
+    fn from([x, y, z, thx, thy, thz]: [f64; 6]) -> Self {
+        Self { lateral: x + z, axial: y, tilt: thx + thz, torsion: thy }
+    }
 }
 
 /// Mass-normalised modes of both rotors without the mesh, ascending.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector6;
 
-use crate::design::{MeshVectors, Side};
+use crate::design::{Design, MeshVectors, Side};
 
 /// h of (9), (10): force and moments on the mesh station for a unit force along the line of action; order x, y, z, thx, thy, thz, moments
 /// in m.
@@ -18,4 +18,11 @@ pub fn signed(side: Side) -> f64 {
         Side::Pinion => 1.0,
         Side::Gear => -1.0,
     }
+}
+
+/// Speed of the pinion (1/min) at which its tooth mesh frequency f = N_p n / 60 is the given one (Hz); nothing where the design has no
+/// number of teeth.
+pub fn pinion_speed_rpm(design: &Design, mesh_frequency_hz: f64) -> Option<f64> {
+    let teeth = design.pinion.teeth.filter(|teeth| *teeth > 0)?;
+    Some(60.0 * mesh_frequency_hz / f64::from(teeth))
 }

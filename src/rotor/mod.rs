@@ -21,7 +21,7 @@ pub use assembly::ShaftMatrices;
 pub use beam::ElementMatrix;
 pub use bending::Bending;
 pub use mean_states::{MeanStates, Rolling};
-pub use mesh::{mesh_vector, signed};
+pub use mesh::{mesh_vector, pinion_speed_rpm, signed};
 pub use section::Section;
 pub use statics::Statics;
 pub use stations::Stations;
@@ -160,11 +160,13 @@ impl Rotor {
     pub fn reusing(design: &Design, side: Side, earlier: Option<&MeanStates>) -> Result<Self, RotorError> {
         let rotor = design.rotor(side);
         let stations = Stations::new(design, rotor)?;
-        let mean_states = MeanStates::new(design, side, &stations.coarsened(), earlier)?;
+        // first: beside a length that overflows no bearing seems to hold anything
+        let totals = Totals::new(rotor, &stations);
+        totals.check_finite()?;
+        let coarse = stations.coarsened();
+        let mean_states = MeanStates::new(design, side, &coarse, earlier)?;
         let supports = Supports::new(rotor, &mean_states)?;
         assembly::check_supported(&stations, &supports)?;
-        let totals = Totals::new(rotor, &stations);
-        let coarse = stations.coarsened();
         let statics = Statics::new(rotor, &coarse, &supports)?;
         let [bending_x, bending_z] = bending::in_both_planes(rotor, &coarse, &supports, &statics)?;
         Ok(Self { stations, supports, mean_states, totals, statics, bending_x, bending_z })

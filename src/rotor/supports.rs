@@ -69,6 +69,26 @@ impl Supports {
         self.bearings[bearing].held[translation] && !released
     }
 
+    /// Rows of one bearing's own share of the elastic supports, over six coordinates a station: its force on the shaft is minus these
+    /// times the displacements. Behind a housing bolt a bearing's other side moves with the bolt, so all bearings have a part in it;
+    /// the shares of all bearings make up what [`Supports::add_to`] adds.
+    pub fn share(&self, bearing: usize, at: &[usize], coordinates: usize) -> DMatrix<f64> {
+        let stiffness = self.bearings[bearing].stiffness;
+        let mut rows = DMatrix::zeros(6, coordinates);
+        rows.fixed_view_mut::<6, 6>(0, 6 * at[bearing]).copy_from(&stiffness);
+        match self.housing {
+            Housing::Instead(only, bolt) if only == bearing => rows[(AXIAL, 6 * at[bearing] + AXIAL)] += bolt,
+            Housing::InSeries(total) => {
+                for (support, &station) in self.bearings.iter().zip(at) {
+                    let mut block = rows.fixed_view_mut::<6, 6>(0, 6 * station);
+                    block -= stiffness.column(AXIAL) * support.stiffness.column(AXIAL).transpose() / total;
+                }
+            }
+            Housing::Stiff | Housing::Instead(..) => {}
+        }
+        rows
+    }
+
     /// Adds the stiffness of all supports to `target`, six coordinates a station; `at` gives each bearing's station.
     pub fn add_to(&self, target: &mut DMatrix<f64>, at: &[usize]) {
         for (support, &station) in self.bearings.iter().zip(at) {

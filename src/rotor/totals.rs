@@ -1,6 +1,6 @@
 //! Mass and inertia of a whole rotor as one rigid body.
 
-use super::Stations;
+use super::{RotorError, Stations};
 use crate::design::RotorDesign;
 
 /// Rigid-body properties of shaft and bodies together.
@@ -37,6 +37,22 @@ impl Totals {
             polar_inertia: parts.iter().map(|part| part.2).sum(),
             diametral_inertia: parts.iter().map(|part| part.1 + part.0 * (part.3 - centroid).powi(2)).sum(),
             centroid,
+        }
+    }
+
+    /// # Errors
+    ///
+    /// [`RotorError::NotFinite`] names the first sum that overflows.
+    pub fn check_finite(&self) -> Result<(), RotorError> {
+        let sums = [
+            ("mass", self.mass),
+            ("polar inertia", self.polar_inertia),
+            ("centre of mass", self.centroid),
+            ("diametral inertia", self.diametral_inertia),
+        ];
+        match sums.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((what, _)) => Err(RotorError::NotFinite(what)),
+            None => Ok(()),
         }
     }
 }

@@ -70,12 +70,12 @@ macro_rules! actions {
 }
 
 actions! {
-    MoveUp, "move-up", Move, "the design above, or a line up", hint 0 "move";
-    MoveDown, "move-down", Move, "the design below, or a line down", hint 0 "move";
+    MoveUp, "move-up", Move, "a design, row or line up", hint 0 "move";
+    MoveDown, "move-down", Move, "a design, row or line down", hint 0 "move";
     PageUp, "page-up", Move, "a page up";
     PageDown, "page-down", Move, "a page down";
-    First, "first", Move, "the first design or line";
-    Last, "last", Move, "the last design or line";
+    First, "first", Move, "the first design, row or line";
+    Last, "last", Move, "the last design, row or line";
     MoveLeft, "move-left", Move, "a cell to the left";
     MoveRight, "move-right", Move, "a cell to the right";
     FirstCell, "first-cell", Move, "the first cell of the row";
@@ -100,6 +100,7 @@ actions! {
     ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
     Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
     Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
+    Swap, "swap", Designs, "swap A and B of the comparison", hint 3 "swap";
     Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
     Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";
     Delete, "delete", Designs, "move the design to the trash; asks first", hint 9 "delete";
@@ -114,7 +115,7 @@ actions! {
     ClearText, "clear-text", Typing, "delete all letters before the cursor", hint 2 "clear";
     Accept, "accept", Program, "do what is asked or chosen", hint 0 "accept";
     OpenEditor, "edit-design", Edit, "open the tables of the design", hint 1 "edit";
-    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; - + . 0 9 begin a number", hint 0 "edit";
+    EditCell, "edit-cell", Edit, "type into the cell, open its list or its matrix; digits and - + . begin a number", hint 0 "edit";
     ReplaceCell, "replace-cell", Edit, "type in place of the value";
     CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
     ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";
@@ -138,8 +139,15 @@ actions! {
     NextField, "next-field", Typing, "name or note", hint 1 "name/note";
     SaveAll, "save-all", Edit, "save all designs and quit", hint 0 "save all";
     DiscardAll, "discard-all", Edit, "quit without the edits that are not saved", hint 1 "discard";
+    Recover, "recover", Edit, "unsaved edits that an earlier run has left";
+    TakeEdits, "take-edits", Edit, "open the tables with the edits of the earlier run; can be undone", hint 0 "take";
+    DiscardEdits, "discard-edits", Edit, "put the edits of the earlier run aside", hint 1 "discard";
+    NextOffer, "next-offer", Edit, "the next design with edits of an earlier run", hint 3 "next";
+    KeepMine, "keep-mine", Edit, "write over what somebody else has saved, as it is shown", hint 0 "keep mine";
+    TakeTheirs, "take-theirs", Edit, "take what somebody else has saved; undo brings the edits back", hint 1 "take theirs";
     Findings, "findings", Find, "what is wrong or unusual in the design", hint 4 "findings";
     GoToFinding, "go-to-finding", Find, "to the cell that the finding is about", hint 0 "go there";
+    RemoveKey, "remove-key", Edit, "take out a key that no table has", hint 1 "remove key";
     Solve, "solve", Solve, "solve the design as it is now", hint 2 "solve";
     ToggleLive, "toggle-live", Solve, "solve after each edit, or not", hint 8 "live";
     CancelSolve, "cancel-solve", Solve, "stop solving", hint 0 "stop solving";
@@ -147,6 +155,10 @@ actions! {
     Reread, "reread", Program, "read the folder and the designs again", hint 6 "reread";
     Redraw, "redraw", Program, "draw the whole screen again";
     Suspend, "suspend", Program, "suspend; fg in the shell comes back";
+    CycleMarker, "cycle-marker", Program, "curves of braille, blocks, dots or ASCII";
+    ToggleBackground, "toggle-background", Program, "colours for a dark or for a light background";
+    Copy, "copy", Program, "copy what the cursor is on through the terminal: figures, cell, differences or text";
+    CopyPath, "copy-path", Program, "copy the path of the design through the terminal";
     Palette, "palette", Program, "all actions by name", hint 5 "commands";
     Messages, "messages", Program, "all messages in full, the latest first";
     Help, "help", Program, "this help", hint 5 "help";

@@ -3,8 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::backend::LoadedDesign;
 use super::caps::Capabilities;
+use super::clipboard::Route;
 use super::compare::CompareView;
+use super::conflict::Conflicts;
 use super::editor::Editors;
 use super::files::Form;
 use super::help::HelpSearch;
@@ -14,9 +17,10 @@ use super::library::{Library, RowState};
 use super::message::Effect;
 use super::notice::{Messages, Notice};
 use super::palette::Palette;
+use super::recovery::Recovery;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
-use super::worker::{Job, Summary, Ticket};
+use super::worker::{FileJob, Job, Summary, Ticket};
 use crate::design::library::Trashed;
 
 #[derive(Debug)]
@@ -43,8 +47,14 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    /// How a copied text gets to the terminal.
+    pub clipboard: Route,
+    pub recovery: Recovery,
+    pub conflicts: Conflicts,
     pub(super) tickets: Ticket,
     pub(super) view_moved: bool,
+    /// The terminal is too small to show what the keys would act on.
+    pub(super) is_unseen: bool,
 }
 
 /// The right side: what is known of the selected design.
@@ -55,6 +65,8 @@ pub struct Detail {
     pub ticket: Ticket,
     /// Whether its result is still to come.
     pub pending: bool,
+    /// What was read for that result.
+    pub(super) loaded: Option<Arc<LoadedDesign>>,
     pub outcome: Option<Outcome>,
     pub text_scroll: Scroll,
 }
@@ -62,14 +74,13 @@ pub struct Detail {
 #[derive(Debug)]
 pub enum Outcome {
     Solved {
+        /// What was solved; the library may have read the file again since.
+        loaded: Arc<LoadedDesign>,
         summary: Box<Summary>,
         picture: Box<Picture>,
     },
     /// Neither read nor solved; the whole message.
-    Failed {
-        title: &'static str,
-        text: String,
-    },
+    Failed { title: &'static str, text: String },
 }
 
 /// Spectra, and their columns at the width that was drawn last.
@@ -159,14 +170,19 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            clipboard: Route::default(),
+            recovery: Recovery::default(),
+            conflicts: Conflicts::default(),
             tickets: Ticket::default(),
             view_moved: false,
+            is_unseen: false,
         }
     }
 
     /// What to do after the first frame.
     pub fn start(&mut self) -> Vec<Effect> {
         let mut effects = self.follow_selection();
+        effects.push(Effect::File(FileJob::Left));
         effects.extend(self.fill());
         self.view_moved = false;
         effects
@@ -198,8 +214,12 @@ impl App {
         self.tickets
     }
 
-    /// Asks for the selected design if it is another one than before.
+    /// Asks for the selected design if it is another one than before. Not while tables are open: what they ask for has the
+    /// same place.
     pub(super) fn follow_selection(&mut self) -> Vec<Effect> {
+        if self.editors.open().is_some() {
+            return Vec::new();
+        }
         let path = self.library.selected().map(|row| row.path.clone());
         if path == self.detail.path {
             return Vec::new();

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::files::{FileDone, FileRequest};
+use super::recovery::{Kept, Look};
 use crate::comparison::{Comparison, Observer, SolveError};
-use crate::design::library::VariantName;
+use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
@@ -33,12 +34,12 @@ pub trait Backend: Send + Sync {
         Err(READ_ONLY.into())
     }
 
-    /// Replaces the text of a design file, if it still is `expected`.
+    /// Replaces the text of a design file, if it still is `expected`, or makes the file, if that is nothing and it is not there.
     ///
     /// # Errors
     ///
     /// [`NotSaved`]; the file is as it was then.
-    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
+    fn save(&self, path: &Path, expected: Option<&[u8]>, text: &str) -> Result<(), NotSaved> {
         let _ = (path, expected, text);
         Err(NotSaved::Failed(READ_ONLY.into()))
     }
@@ -76,6 +77,32 @@ pub trait Backend: Send + Sync {
         Err("the files of this library cannot be changed".into())
     }
 
+    /// Keeps unsaved edits where they survive the program, or no longer does.
+    ///
+    /// # Errors
+    ///
+    /// Why they are not protected, in one line.
+    fn keep(&self, change: &Kept) -> Result<(), String> {
+        let _ = change;
+        Ok(())
+    }
+
+    /// The unsaved edits that earlier runs have left.
+    fn left(&self) -> Left {
+        Left::default()
+    }
+
+    /// Whether the file of an open design still is `expected`, and who else has it open.
+    fn look(&self, path: &Path, expected: &str) -> Look {
+        let _ = (path, expected);
+        Look::default()
+    }
+
+    /// A design is not open any more.
+    fn release(&self, path: &Path) {
+        let _ = path;
+    }
+
     /// Where two design files differ.
     ///
     /// # Errors
@@ -92,8 +119,9 @@ const READ_ONLY: &str = "these designs can only be looked at";
 /// Why a design was not saved. The file is as it was.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum NotSaved {
+    /// With what it holds now; nothing where it is gone
     #[error("the file has changed on disk since it was read")]
-    Changed,
+    Changed(Option<Vec<u8>>),
     #[error("{0}")]
     Failed(String),
 }

@@ -26,38 +26,67 @@ pub struct Capabilities {
     pub ascii: bool,
 }
 
+/// What was found out, and from what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Detected {
+    pub capabilities: Capabilities,
+    pub colour_why: &'static str,
+    pub background_why: &'static str,
+    pub characters_why: &'static str,
+}
+
 impl Capabilities {
     /// Reads the environment through `variable`; `ascii` is what the command line asks for.
     pub fn detect(ascii: bool, variable: impl Fn(&str) -> Option<String>) -> Self {
+        Detected::new(ascii, variable).capabilities
+    }
+}
+
+impl Detected {
+    /// As [`Capabilities::detect`].
+    pub fn new(ascii: bool, variable: impl Fn(&str) -> Option<String>) -> Self {
         let given = |name: &str| variable(name).filter(|value| !value.is_empty());
         let terminal = given("TERM").unwrap_or_default();
-        let colour = if given("NO_COLOR").is_some() || terminal == "dumb" {
-            ColourDepth::None
+        let (colour, colour_why) = if given("NO_COLOR").is_some() {
+            (ColourDepth::None, "NO_COLOR is set")
+        } else if terminal == "dumb" {
+            (ColourDepth::None, "TERM is dumb")
         } else if terminal == "linux" {
-            ColourDepth::Sixteen
+            (ColourDepth::Sixteen, "TERM is linux, a console")
         } else if given("COLORTERM").is_some_and(|value| value == "truecolor" || value == "24bit") {
-            ColourDepth::True
+            (ColourDepth::True, "COLORTERM says so")
         } else if terminal.contains("256color") {
-            ColourDepth::Indexed
+            (ColourDepth::Indexed, "TERM says so")
         } else {
-            ColourDepth::Sixteen
+            (ColourDepth::Sixteen, "neither TERM nor COLORTERM promises more")
         };
+        let (background, background_why) = background(given("COLORFGBG").as_deref());
         // the first that is set decides, as in the C library; Windows has none of them and is always Unicode
         let locale = given("LC_ALL").or_else(|| given("LC_CTYPE")).or_else(|| given("LANG")).unwrap_or_default();
         let locale = locale.to_ascii_lowercase();
         let unicode = cfg!(windows) || locale.contains("utf-8") || locale.contains("utf8");
-        // the font of the Linux console has no braille
-        let ascii = ascii || !unicode || matches!(terminal.as_str(), "dumb" | "linux");
-        Self { colour, background: background(given("COLORFGBG").as_deref()), ascii }
+        let (ascii, characters_why) = if ascii {
+            (true, "--ascii")
+        } else if !unicode {
+            (true, "the locale is not UTF-8")
+        } else if matches!(terminal.as_str(), "dumb" | "linux") {
+            // the font of the Linux console has no braille
+            (true, "TERM names a terminal whose font has little else")
+        } else {
+            (false, "the locale is UTF-8")
+        };
+        let capabilities = Capabilities { colour, background, ascii };
+        Self { capabilities, colour_why, background_why, characters_why }
     }
 }
 
 /// `COLORFGBG` is "foreground;background" in numbers of the 16-colour palette.
-fn background(colours: Option<&str>) -> Background {
-    match colours.and_then(|value| value.rsplit(';').next()).and_then(|value| value.parse::<u8>().ok()) {
-        Some(7 | 9..=15) => Background::Light,
-        Some(_) => Background::Dark,
-        None => Background::Unknown,
+fn background(colours: Option<&str>) -> (Background, &'static str) {
+    match colours.and_then(|value| value.rsplit(';').next()).map(str::parse::<u8>) {
+        Some(Ok(7 | 9..=15)) => (Background::Light, "COLORFGBG"),
+        Some(Ok(_)) => (Background::Dark, "COLORFGBG"),
+        Some(Err(_)) => (Background::Unknown, "COLORFGBG has no number for it"),
+        None => (Background::Unknown, "COLORFGBG is not set"),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
+use super::action::Action;
 use super::app::{App, Scroll};
 use super::axis::FrequencyAxis;
 use super::backend::Backend;
@@ -10,16 +11,19 @@ use super::keymap::Mode;
 use super::library::Row;
 use super::message::Effect;
 use super::traces::{Envelope, envelope, levels, range};
+use super::widgets::findings::sentence;
 use super::worker::{Ticket, guarded};
 use crate::agreement::Agreement;
 use crate::comparison::Comparison;
-use crate::design::{Difference, FrequencySpacing};
+use crate::design::{self, Design, Difference, FrequencySpacing};
 
 /// Two files to be compared: the marked one, and the selected one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CompareJob {
     pub ticket: Ticket,
     pub paths: [PathBuf; 2],
+    /// What is to be compared in place of a file with edits that are not saved.
+    pub unsaved: [Option<String>; 2],
 }
 
 /// The result.
@@ -48,8 +52,9 @@ pub struct ComparedSide {
 #[derive(Debug)]
 pub struct CompareView {
     pub ticket: Ticket,
-    /// Names of the files, safe to show.
+    /// Names of the files, safe to show, and whether their edits count that are not saved.
     pub names: [String; 2],
+    paths: [PathBuf; 2],
     pub result: Option<Compared>,
     pub scroll: Scroll,
     columns: Option<Overlaid>,
@@ -65,24 +70,24 @@ pub struct Overlaid {
     size: (usize, usize),
 }
 
-/// Reads, solves and compares two designs. A panic in the backend becomes the message of its side.
-pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
+/// Reads, solves and compares two designs; nothing where that is no longer wanted. A panic in the backend becomes the
+/// message of its side.
+pub fn perform(job: &CompareJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool) -> Option<Compared> {
+    let mut observer = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
     let unexpected = |panic: String| format!("failed unexpectedly: {panic}");
-    let solved = job.paths.each_ref().map(|path| {
+    let mut solved = |side: usize| {
         let solve = || -> Result<(Comparison, bool), String> {
-            let loaded = backend.load(path).map_err(|broken| broken.one_line)?;
-            let log = loaded.design.analysis.frequency_spacing == FrequencySpacing::Log;
-            Ok((
-                backend
-                    .compare(&loaded.design, &mut |_| ControlFlow::Continue(()))
-                    .map_err(|error| error.to_string())?,
-                log,
-            ))
+            let design = job.design(side, backend)?;
+            let log = design.analysis.frequency_spacing == FrequencySpacing::Log;
+            Ok((backend.compare(&design, &mut observer).map_err(|error| error.to_string())?, log))
         };
-        guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic)))
-    });
-    let [a, b] = &job.paths;
-    let differences = guarded(|| backend.differences(a, b)).unwrap_or_else(|panic| Err(unexpected(panic)));
+        wanted().then(|| guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic))))
+    };
+    let solved = [solved(0)?, solved(1)?];
+    if !wanted() {
+        return None;
+    }
+    let differences = guarded(|| job.differences(backend)).unwrap_or_else(|panic| Err(unexpected(panic)));
     let fe_rms_db = match &solved {
         [Ok((a, _)), Ok((b, _))] => a.fe_rms_db(b),
         _ => None,
@@ -94,7 +99,30 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend) -> Compared {
         enhanced: comparison.enhanced_agreement,
         basic: comparison.basic_agreement,
     };
-    Compared { differences, sides: solved.map(|solved| solved.map(side)), fe_rms_db }
+    Some(Compared { differences, sides: solved.map(|solved| solved.map(side)), fe_rms_db })
+}
+
+impl CompareJob {
+    fn design(&self, side: usize, backend: &dyn Backend) -> Result<Design, String> {
+        let Some(text) = &self.unsaved[side] else {
+            return Ok(backend.load(&self.paths[side]).map_err(|broken| broken.one_line)?.design);
+        };
+        let reading = design::read(text);
+        let error = reading.errors().next().map(sentence).unwrap_or_default();
+        reading.design.ok_or(error)
+    }
+
+    fn differences(&self, backend: &dyn Backend) -> Result<Vec<Difference>, String> {
+        let [a, b] = &self.paths;
+        if self.unsaved.iter().all(Option::is_none) {
+            return backend.differences(a, b);
+        }
+        let text = |side: usize| match &self.unsaved[side] {
+            Some(text) => Ok(text.clone()),
+            None => backend.read(&self.paths[side]),
+        };
+        Ok(design::diff(&text(0)?, &text(1)?))
+    }
 }
 
 impl CompareView {
@@ -139,25 +167,50 @@ impl App {
             return self.say(format!("{stem} is no longer marked"));
         }
         self.library.mark(Some(path));
-        let compare = self.keys.of(Mode::Library, super::action::Action::Compare, true).into_iter().next();
-        let compare = compare.unwrap_or_else(|| ":compare".into());
+        let compare = self.keys.names(Mode::Library, true).of(Action::Compare);
         self.say(format!("{stem} is marked; select another and press {compare}"));
     }
 
     pub(super) fn open_compare(&mut self) -> Vec<Effect> {
         let Some(selected) = self.library.selected() else { return Vec::new() };
         let Some(other) = self.compared_with(selected) else {
-            let mark = self.keys.of(Mode::Library, super::action::Action::Mark, true).into_iter().next();
-            let mark = mark.unwrap_or_else(|| ":mark".into());
+            let mark = self.keys.names(Mode::Library, true).of(Action::Mark);
             self.complain(format!("mark another design with {mark} first, then come back to this one"));
             return Vec::new();
         };
-        let names = [other.stem.clone(), selected.stem.clone()];
+        let names = [other, selected].map(|row| match self.editors.unsaved_text(&row.path) {
+            Some(_) => format!("{} (unsaved edits)", row.stem),
+            None => row.stem.clone(),
+        });
         let paths = [other.path.clone(), selected.path.clone()];
-        let ticket = self.ticket();
-        self.compare = Some(CompareView { ticket, names, result: None, scroll: Scroll::default(), columns: None });
+        let effects = self.compare_now(names, paths);
         self.open(Mode::Compare);
-        vec![Effect::Compare(CompareJob { ticket, paths })]
+        effects
+    }
+
+    fn compare_now(&mut self, names: [String; 2], paths: [PathBuf; 2]) -> Vec<Effect> {
+        let ticket = self.ticket();
+        let unsaved = paths.each_ref().map(|path| self.editors.unsaved_text(path));
+        let scroll = Scroll::default();
+        self.compare = Some(CompareView { ticket, names, paths: paths.clone(), result: None, scroll, columns: None });
+        vec![Effect::Compare(CompareJob { ticket, paths, unsaved })]
+    }
+
+    /// A becomes B, and B becomes A.
+    pub(super) fn swap_compared(&mut self) -> Vec<Effect> {
+        let Some(view) = &mut self.compare else { return Vec::new() };
+        view.names.swap(0, 1);
+        view.paths.swap(0, 1);
+        let Some(result) = &mut view.result else {
+            let (names, paths) = (view.names.clone(), view.paths.clone());
+            return self.compare_now(names, paths);
+        };
+        result.sides.swap(0, 1);
+        for difference in result.differences.iter_mut().flatten() {
+            std::mem::swap(&mut difference.a, &mut difference.b);
+        }
+        view.columns = None;
+        Vec::new()
     }
 
     pub(super) fn compared(&mut self, ticket: Ticket, result: Compared) {

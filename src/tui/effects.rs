@@ -19,11 +19,15 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::SolveEdited(job) => worker.solve_edited(job),
             Effect::CancelSolve => worker.cancel(),
             Effect::File(job) => worker.file(job),
+            Effect::Keep(change) => worker.keep(change),
             Effect::List => worker.list(),
             Effect::ChangeFile(request) => worker.change_file(request),
             Effect::Compare(job) => worker.compare(job),
+            Effect::CancelCompare => worker.cancel_compare(),
             Effect::Redraw => session.clear()?,
+            Effect::Copy(bytes) => session.send(&bytes)?,
             Effect::Suspend => session.suspend()?,
+            Effect::TakeAgain => session.take_again()?,
             Effect::Quit(ending) => return Ok(Some(ending)),
         }
     }

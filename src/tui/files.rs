@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use super::action::Action;
 use super::app::App;
 use super::keymap::Mode;
-use super::library::Row;
+use super::library::{Library, Row};
 use super::message::Effect;
 use super::text_field::TextField;
-use crate::design::library::{Trashed, VariantName};
+use crate::design::library::{NameError, Trashed, VariantName};
 
 /// Something to be done with a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,10 +32,31 @@ pub enum FileRequest {
 /// A file is where it was asked to be.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileDone {
-    Renamed { from: PathBuf, to: PathBuf },
-    Duplicated { from: PathBuf, to: PathBuf },
-    Deleted { path: PathBuf, trashed: Trashed },
-    Restored { path: PathBuf },
+    /// Those that named the old one as their parent name the new one now.
+    Renamed {
+        from: PathBuf,
+        to: PathBuf,
+        variants: Vec<Followed>,
+    },
+    Duplicated {
+        from: PathBuf,
+        to: PathBuf,
+    },
+    Deleted {
+        path: PathBuf,
+        trashed: Trashed,
+    },
+    Restored {
+        path: PathBuf,
+    },
+}
+
+/// A variant of a design that was renamed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Followed {
+    pub path: PathBuf,
+    /// Its text now, or why it still names the old parent.
+    pub result: Result<String, String>,
 }
 
 /// What the form asks for.
@@ -54,6 +76,20 @@ pub struct Form {
     pub refused: Option<String>,
     /// It is being done.
     pub pending: bool,
+}
+
+/// Why a design cannot have the name.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum NotFree {
+    #[error(transparent)]
+    Name(#[from] NameError),
+    #[error("this is its name now")]
+    Same,
+    #[error("there is a design of that name already")]
+    Taken,
+    /// By the file system, in its words
+    #[error("{0}")]
+    Refused(String),
 }
 
 impl App {
@@ -80,40 +116,16 @@ impl App {
         numbered.into_iter().find(is_free).unwrap_or_default()
     }
 
-    /// What the form would do.
-    ///
-    /// # Errors
-    ///
-    /// What is wrong with the name, in words.
-    pub fn checked_form(&self) -> Result<FileRequest, String> {
-        let Some(form) = &self.form else { return Err(String::new()) };
-        if let Some(refused) = &form.refused {
-            return Err(refused.clone());
-        }
-        let name = VariantName::new(form.field.text().trim()).map_err(|error| error.to_string())?;
-        let target = name.path_in(form.path.parent().unwrap_or(Path::new("")));
-        if target == form.path {
-            return Err("this is its name now".into());
-        }
-        if self.library.row(&target).is_some() {
-            return Err("there is a design of that name already".into());
-        }
-        let path = form.path.clone();
-        Ok(match form.purpose {
-            Purpose::Rename => FileRequest::Rename { path, name },
-            Purpose::Duplicate => FileRequest::Duplicate { path, name },
-        })
-    }
-
     pub(super) fn accept_form(&mut self) -> Vec<Effect> {
-        if self.form.as_ref().is_none_or(|form| form.pending) {
+        let Some(form) = self.form.as_mut().filter(|form| !form.pending) else { return Vec::new() };
+        // what is wrong stands beside the name already
+        let Ok(request) = form.checked(&self.library) else { return Vec::new() };
+        // a variant that is being written could not follow
+        if self.editors.is_saving() {
+            form.refused = Some("a design is being saved: try again in a moment".into());
             return Vec::new();
         }
-        // what is wrong stands beside the name already
-        let Ok(request) = self.checked_form() else { return Vec::new() };
-        if let Some(form) = &mut self.form {
-            form.pending = true;
-        }
+        form.pending = true;
         vec![Effect::ChangeFile(request)]
     }
 
@@ -175,27 +187,39 @@ impl App {
     fn take_over(&mut self, done: FileDone) {
         let stem = |path: &Path| Row::new(path.into()).stem;
         match done {
-            FileDone::Renamed { from, to } => {
-                let alone = self.library.row(&from).map_or(0, |row| self.library.variants(row));
-                let variants = match alone {
+            FileDone::Renamed { from, to, variants } => {
+                let (followed, failed): (Vec<_>, Vec<_>) = variants.into_iter().partition(|one| one.result.is_ok());
+                let variants = match followed.len() {
                     0 => String::new(),
-                    1 => "; 1 variant still names the old one as its parent".into(),
-                    more => format!("; {more} variants still name the old one as their parent"),
+                    1 => "; 1 variant follows".into(),
+                    more => format!("; {more} variants follow"),
                 };
                 self.say(format!("renamed {} to {}{variants}", stem(&from), stem(&to)));
                 self.editors.forget(&from);
+                self.editors.follow_parent(&from, &to, &followed);
+                for Followed { path, .. } in &followed {
+                    if let Some(row) = self.library.row_mut(path) {
+                        row.stale = true;
+                    }
+                }
+                for Followed { path, result } in failed {
+                    let error = result.err().unwrap_or_default();
+                    self.complain(format!("{} still names {} as its parent: {error}", stem(&path), stem(&from)));
+                }
                 self.library.moved(&from, &to);
                 self.library.want(to);
             }
             FileDone::Duplicated { from, to } => {
-                self.say(format!("copied {} to {}", stem(&from), stem(&to)));
+                let without = match self.editors.unsaved_text(&from) {
+                    Some(_) => ", without the edits that are not saved",
+                    None => "",
+                };
+                self.say(format!("copied {} to {}{without}", stem(&from), stem(&to)));
                 self.library.want(to);
             }
             FileDone::Deleted { path, trashed } => {
-                let key = self.keys.of(Mode::Library, super::action::Action::RestoreDeleted, true).into_iter().next();
-                let how =
-                    key.map_or_else(|| ":restore-deleted brings it back".into(), |key| format!("{key} brings it back"));
-                self.say(format!("deleted {}; {how}", stem(&path)));
+                let key = self.keys.names(Mode::Library, true).of(Action::RestoreDeleted);
+                self.say(format!("deleted {}; {key} brings it back", stem(&path)));
                 self.editors.forget(&path);
                 self.deleted.push(trashed);
             }
@@ -215,6 +239,30 @@ impl App {
 }
 
 impl Form {
+    /// What the form would do.
+    ///
+    /// # Errors
+    ///
+    /// [`NotFree`] says what is wrong with the name.
+    pub fn checked(&self, library: &Library) -> Result<FileRequest, NotFree> {
+        if let Some(refused) = &self.refused {
+            return Err(NotFree::Refused(refused.clone()));
+        }
+        let name = VariantName::new(self.field.text().trim())?;
+        let target = name.path_in(self.path.parent().unwrap_or(Path::new("")));
+        if target == self.path {
+            return Err(NotFree::Same);
+        }
+        if library.row(&target).is_some() {
+            return Err(NotFree::Taken);
+        }
+        let path = self.path.clone();
+        Ok(match self.purpose {
+            Purpose::Rename => FileRequest::Rename { path, name },
+            Purpose::Duplicate => FileRequest::Duplicate { path, name },
+        })
+    }
+
     fn asked(&self, request: &FileRequest) -> bool {
         match (self.purpose, request) {
             (Purpose::Rename, FileRequest::Rename { path, .. })

@@ -46,10 +46,28 @@ pub enum HelpLine {
 }
 
 /// Where letters are keys in a screen and what lies over it, the help itself last.
-const EXPLORER: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Confirm, Mode::Leave, Mode::Messages, Mode::Help];
-const EDITOR: &[Mode] =
-    &[Mode::Table, Mode::Matrix, Mode::Choice, Mode::Findings, Mode::Leave, Mode::Messages, Mode::Help];
+const EXPLORER: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Compare,
+    Mode::Confirm,
+    Mode::Leave,
+    Mode::Recovery,
+    Mode::Conflict,
+    Mode::Messages,
+    Mode::Help,
+];
+const EDITOR: &[Mode] = &[
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Leave,
+    Mode::Recovery,
+    Mode::Conflict,
+    Mode::Messages,
+    Mode::Help,
+];
 /// Where letters are text.
 const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::HelpSearch];
 const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::HelpSearch];
@@ -98,43 +116,46 @@ impl App {
         lines
     }
 
+    /// What works where the help was asked for, then what works elsewhere, each mode under its own title.
     fn help_sections(&self) -> Vec<(&'static str, Vec<HelpLine>)> {
         let (keyed, typed) = match self.editors.open() {
             Some(_) => (EDITOR, TYPED_IN_EDITOR),
             None => (EXPLORER, TYPED_IN_EXPLORER),
         };
-        let entries = |category: Category| {
-            let about = ACTIONS.iter().filter(move |about| about.category == category);
-            about.filter_map(|about| {
-                let is_known = keyed.iter().chain(typed).any(|mode| keymap::is_known(*mode, about.action));
-                let entry = || HelpLine::Entry {
-                    keys: self.keys_of(about, keyed, typed),
-                    text: about.doc.into(),
-                    name: about.name,
-                };
-                is_known.then(entry)
-            })
+        let is_help = |mode: &&Mode| matches!(mode, Mode::Help | Mode::HelpSearch);
+        let here = self.below.iter().rev().find(|mode| !is_help(mode)).copied().unwrap_or(self.mode);
+        let ascii = self.theme.glyphs.ascii;
+        let entry = |about: &About, keys: String| HelpLine::Entry { keys, text: about.doc.into(), name: about.name };
+        let here_in = |category: Category| {
+            let about =
+                ACTIONS.iter().filter(|about| about.category == category && keymap::is_known(here, about.action));
+            about.map(|about| entry(about, self.keys_here(about, here))).collect()
         };
         let mut sections: Vec<_> =
-            Category::ALL.into_iter().map(|category| (category.title(), entries(category).collect())).collect();
+            Category::ALL.into_iter().map(|category| (category.title(), here_in(category))).collect();
+        for &mode in keyed.iter().chain(typed).filter(|mode| **mode != here) {
+            let elsewhere = ACTIONS.iter().filter_map(|about| {
+                let keys = self.keys.of(mode, about.action, ascii);
+                // what is the same everywhere is said once
+                let is_new = !keys.is_empty() && keys != self.keys.of(here, about.action, ascii);
+                is_new.then(|| entry(about, keys.join(" ")))
+            });
+            sections.push((mode.place(), elsewhere.collect()));
+        }
         sections.push(("Marks", marks(&self.theme)));
         sections
     }
 
     /// The keys of an action, or how the palette finds it.
-    fn keys_of(&self, about: &About, keyed: &[Mode], typed: &[Mode]) -> String {
-        let ascii = self.theme.glyphs.ascii;
-        let mut keys = self.keys.anywhere(keyed, about.action, ascii);
-        if keys.is_empty() {
-            keys = self.keys.anywhere(typed, about.action, ascii);
-        }
+    fn keys_here(&self, about: &About, mode: Mode) -> String {
+        let keys = self.keys.of(mode, about.action, self.theme.glyphs.ascii);
         if keys.is_empty() { format!(":{}", about.name) } else { keys.join(" ") }
     }
 }
 
 fn marks(theme: &Theme) -> Vec<HelpLine> {
     let glyphs = theme.glyphs;
-    let [fe, enhanced, basic] = glyphs.samples;
+    let [fe, enhanced, basic] = theme.marker.samples();
     let entry = |mark: &str, text: &str| HelpLine::Entry { keys: mark.into(), text: text.into(), name: "" };
     vec![
         entry(fe, "mesh force of the finite element model"),

@@ -40,10 +40,14 @@ pub enum Mode {
     Form,
     /// What to do with edits that are not saved.
     Leave,
+    /// What to do with edits of an earlier run.
+    Recovery,
+    /// What to do where somebody else has changed the file.
+    Conflict,
 }
 
 impl Mode {
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -61,6 +65,8 @@ impl Mode {
         Self::Findings,
         Self::Form,
         Self::Leave,
+        Self::Recovery,
+        Self::Conflict,
     ];
 
     /// Its table in the file of keys.
@@ -83,6 +89,33 @@ impl Mode {
             Self::Findings => "findings",
             Self::Form => "form",
             Self::Leave => "leave",
+            Self::Recovery => "recovery",
+            Self::Conflict => "conflict",
+        }
+    }
+
+    /// Where it is, as the title of what its keys do.
+    pub fn place(self) -> &'static str {
+        match self {
+            Self::Library => "In the list of designs",
+            Self::Text => "In the text about a design",
+            Self::Filter => "While the filter is typed",
+            Self::Help => "In this help",
+            Self::HelpSearch => "While the help is searched",
+            Self::Palette => "In the list of all actions",
+            Self::Name => "While a file is named",
+            Self::Confirm => "When asked whether to delete",
+            Self::Messages => "In the messages",
+            Self::Compare => "In the comparison",
+            Self::Table => "In the tables",
+            Self::Cell => "While a cell is typed into",
+            Self::Choice => "In a list of words",
+            Self::Matrix => "In a stiffness matrix",
+            Self::Findings => "In the list of findings",
+            Self::Form => "While a variant is named",
+            Self::Leave => "When asked about unsaved edits",
+            Self::Recovery => "When asked about edits of an earlier run",
+            Self::Conflict => "When asked about somebody else's change",
         }
     }
 
@@ -101,8 +134,17 @@ pub struct Binding {
     pub action: Action,
 }
 
-const LISTS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Messages, Mode::Compare, Mode::Choice, Mode::Findings];
+const LISTS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Recovery,
+    Mode::Conflict,
+];
 /// Where letters move.
 const ROWS: &[Mode] = &[
     Mode::Library,
@@ -114,6 +156,8 @@ const ROWS: &[Mode] = &[
     Mode::Findings,
     Mode::Table,
     Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
 ];
 /// Where there is something to move in.
 const MOVING: &[Mode] = &[
@@ -129,6 +173,8 @@ const MOVING: &[Mode] = &[
     Mode::Findings,
     Mode::Table,
     Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
 ];
 const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 const LIBRARY: &[Mode] = &[Mode::Library];
@@ -136,15 +182,12 @@ const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
 const TABLE: &[Mode] = &[Mode::Table];
 const CELL: &[Mode] = &[Mode::Cell];
 const FORM: &[Mode] = &[Mode::Form];
-const LINES: &[Mode] = &[Mode::Cell, Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
 const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
-/// Where the cursor can stand within the text.
-const FIELDS: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
 /// What lies over the explorer and is closed.
 const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
 const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
@@ -153,9 +196,15 @@ const COMMANDS: &[Mode] =
     &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
+/// Where there is a picture.
+const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
+const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
+const RECOVERY: &[Mode] = &[Mode::Recovery];
+const CONFLICT: &[Mode] = &[Mode::Conflict];
+const VARIANTS: &[Mode] = &[Mode::Table, Mode::Recovery, Mode::Conflict];
 
 /// Actions that have no key of their own, and where they can be used all the same.
-const WITHOUT_KEY: &[(Action, &[Mode])] = &[];
+const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -196,14 +245,14 @@ pub const BINDINGS: &[Binding] = &[
     letter(TABLE, 'p', Action::OtherShaft),
     letter(TABLE, ']', Action::NextTable),
     letter(TABLE, '[', Action::PreviousTable),
-    letter(TABLE, '1', Action::Segments),
-    letter(TABLE, '2', Action::Bearings),
-    letter(TABLE, '3', Action::Bodies),
-    letter(TABLE, '4', Action::Mesh),
-    letter(TABLE, '5', Action::Drives),
-    letter(TABLE, '6', Action::Analysis),
-    letter(TABLE, '7', Action::Materials),
-    letter(TABLE, '8', Action::Design),
+    key(TABLE, KeyCode::F(1), Action::Segments),
+    key(TABLE, KeyCode::F(2), Action::Bearings),
+    key(TABLE, KeyCode::F(3), Action::Bodies),
+    key(TABLE, KeyCode::F(4), Action::Mesh),
+    key(TABLE, KeyCode::F(5), Action::Drives),
+    key(TABLE, KeyCode::F(6), Action::Analysis),
+    key(TABLE, KeyCode::F(7), Action::Materials),
+    key(TABLE, KeyCode::F(8), Action::Design),
     letter(PANES, 'e', Action::OpenEditor),
     key(PANES, KeyCode::Enter, Action::OpenEditor),
     key(CELLS, KeyCode::Enter, Action::EditCell),
@@ -220,13 +269,13 @@ pub const BINDINGS: &[Binding] = &[
     letter(CELLS, 'u', Action::Undo),
     control(CELLS, 'r', Action::Redo),
     letter(TABLE, 's', Action::Save),
-    letter(TABLE, 'S', Action::SaveVariant),
+    letter(VARIANTS, 'S', Action::SaveVariant),
     key(CELL, KeyCode::Enter, Action::AcceptCell),
     key(CELL, KeyCode::Tab, Action::AcceptNext),
     key(CELL, KeyCode::BackTab, Action::AcceptPrevious),
     key(&[Mode::Choice], KeyCode::Enter, Action::Choose),
     letter(&[Mode::Choice], ' ', Action::Tick),
-    control(LINES, 'w', Action::DeleteWord),
+    control(TYPING, 'w', Action::DeleteWord),
     key(FORM, KeyCode::Enter, Action::SaveForm),
     key(FORM, KeyCode::Tab, Action::NextField),
     key(FORM, KeyCode::BackTab, Action::NextField),
@@ -234,11 +283,19 @@ pub const BINDINGS: &[Binding] = &[
     key(FORM, KeyCode::Down, Action::NextField),
     letter(&[Mode::Leave], 's', Action::SaveAll),
     letter(&[Mode::Leave], 'd', Action::DiscardAll),
+    letter(OPENED, 'U', Action::Recover),
+    letter(RECOVERY, 't', Action::TakeEdits),
+    letter(RECOVERY, 'd', Action::DiscardEdits),
+    letter(RECOVERY, 'n', Action::NextOffer),
+    key(RECOVERY, KeyCode::Tab, Action::NextOffer),
+    letter(CONFLICT, 'm', Action::KeepMine),
+    letter(CONFLICT, 't', Action::TakeTheirs),
     letter(TABLE, 'f', Action::Findings),
     letter(&[Mode::Findings], 'f', Action::Back),
     key(&[Mode::Findings], KeyCode::Enter, Action::GoToFinding),
+    letter(&[Mode::Findings], 'x', Action::RemoveKey),
+    key(&[Mode::Findings], KeyCode::Delete, Action::RemoveKey),
     letter(CELLS, '=', Action::Solve),
-    key(CELLS, KeyCode::F(5), Action::Solve),
     letter(TABLE, 'L', Action::ToggleLive),
     letter(CELLS, 'X', Action::CancelSolve),
     key(PANES, KeyCode::Tab, Action::NextPane),
@@ -251,20 +308,21 @@ pub const BINDINGS: &[Binding] = &[
     letter(LIBRARY, 't', Action::ToggleTree),
     letter(PANES, 'm', Action::Mark),
     letter(PANES, 'c', Action::Compare),
+    letter(&[Mode::Compare], 'x', Action::Swap),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),
     letter(PANES, 'u', Action::RestoreDeleted),
     key(FILTERING, KeyCode::Enter, Action::KeepFilter),
-    key(FIELDS, KeyCode::Left, Action::TextLeft),
-    key(FIELDS, KeyCode::Right, Action::TextRight),
-    key(FIELDS, KeyCode::Home, Action::TextStart),
-    control(FIELDS, 'a', Action::TextStart),
-    key(FIELDS, KeyCode::End, Action::TextEnd),
-    control(FIELDS, 'e', Action::TextEnd),
+    key(TYPING, KeyCode::Left, Action::TextLeft),
+    key(TYPING, KeyCode::Right, Action::TextRight),
+    key(TYPING, KeyCode::Home, Action::TextStart),
+    control(TYPING, 'a', Action::TextStart),
+    key(TYPING, KeyCode::End, Action::TextEnd),
+    control(TYPING, 'e', Action::TextEnd),
     key(TYPING, KeyCode::Backspace, Action::DeleteCharacter),
     control(TYPING, 'h', Action::DeleteCharacter),
-    key(FIELDS, KeyCode::Delete, Action::DeleteForward),
+    key(TYPING, KeyCode::Delete, Action::DeleteForward),
     control(TYPING, 'u', Action::ClearText),
     key(ANSWERED, KeyCode::Enter, Action::Accept),
     letter(CONFIRM, 'y', Action::Accept),
@@ -277,8 +335,10 @@ pub const BINDINGS: &[Binding] = &[
     letter(PANES, 'R', Action::Reread),
     control(ALL, 'l', Action::Redraw),
     control(ALL, 'z', Action::Suspend),
+    letter(PICTURES, 'b', Action::CycleMarker),
+    letter(ROWS, 'y', Action::Copy),
     letter(COMMANDS, ':', Action::Palette),
-    letter(PANES, '!', Action::Messages),
+    letter(BROWSING, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
     letter(&[Mode::Compare], '?', Action::Help),
     letter(BROWSING, 'q', Action::Quit),

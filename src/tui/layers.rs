@@ -1,10 +1,12 @@
 //! What lies over what: the mode that listens to the keys, and those below it.
 
 use super::action::Action;
-use super::app::{App, Outcome};
+use super::app::App;
+use super::conflict::Conflict;
 use super::editor::{Editing, Layer};
 use super::keymap::Mode;
 use super::message::Effect;
+use crate::crash;
 use crate::design::grid::{CellKind, Shape};
 
 impl App {
@@ -31,6 +33,7 @@ impl App {
 
     /// What a key or the palette asks for: of the editor first, if it is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
+        crash::remember(self.mode.name(), action.name());
         match self.act_in_editor(action) {
             Some(effects) => effects,
             None => self.act(action),
@@ -53,17 +56,18 @@ impl App {
                 selected.is_some()
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
-            Action::Quit if self.mode == Mode::Leave || self.mode.is_typing() => false,
+            Action::NextOffer => self.recovery.offers.all.len() > 1,
+            Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),
+            Action::Quit
+                if matches!(self.mode, Mode::Leave | Mode::Recovery | Mode::Conflict) || self.mode.is_typing() =>
+            {
+                false
+            }
             // everyone knows, and there is much to say
             Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,
             _ if !self.below.is_empty() => true,
             _ => self.editors.open().is_none_or(|editing| applies_in_editor(editing, action)),
         }
-    }
-
-    /// Whether the present outcome is a solution.
-    pub fn is_solved(&self) -> bool {
-        matches!(self.detail.outcome, Some(Outcome::Solved { .. }))
     }
 }
 
@@ -80,7 +84,7 @@ fn applies_in_editor(editing: &Editing, action: Action) -> bool {
         Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
         Action::CancelSolve => editing.solving.pending.is_some(),
         Action::Solve => editing.solving.pending.is_none() && editing.wants_solution(),
-        Action::Findings => !editing.findings().is_empty(),
+        Action::Findings => !editing.problems().is_empty(),
         Action::CycleCell => {
             editing.cell().is_some_and(|cell| matches!(cell.kind, CellKind::Choice(_) | CellKind::Model(_)))
         }

@@ -8,7 +8,9 @@ use ratatui::crossterm::event::KeyEvent;
 use super::backend::{BrokenDesign, LoadedDesign, NotSaved};
 use super::compare::{CompareJob, Compared};
 use super::files::{FileDone, FileRequest};
+use super::recovery::{Kept, Look};
 use super::worker::{EditedJob, FileJob, Job, Solved, Ticket};
+use crate::design::library::Left;
 
 /// Everything that can change the state comes as one of these.
 #[derive(Debug)]
@@ -56,6 +58,17 @@ pub enum Message {
         original: PathBuf,
         result: Result<(PathBuf, String), String>,
     },
+    /// Whether somebody else has changed or opened a file.
+    Looked {
+        path: PathBuf,
+        look: Look,
+    },
+    /// Unsaved edits of earlier runs.
+    Left(Left),
+    /// Whether unsaved edits are kept where they survive the program, or why not; when that changes.
+    Protected(Result<(), String>),
+    /// Why edits that nobody needs any more could not be put away.
+    NotTidied(String),
     /// The library's files, or why they cannot be listed.
     Listed(Result<Vec<PathBuf>, String>),
     /// What became of a change of a file.
@@ -68,6 +81,10 @@ pub enum Message {
         ticket: Ticket,
         result: Box<Compared>,
     },
+    /// The system asks the program to stop until it is continued.
+    Suspend,
+    /// The program was stopped, without being asked, and goes on.
+    Continued,
     /// The system asks the program to end.
     Signal(i32),
     /// The terminal is gone.
@@ -87,15 +104,23 @@ pub enum Effect {
     CancelSolve,
     /// Read or write a file.
     File(FileJob),
+    /// Keep unsaved edits where they survive the program, or no longer.
+    Keep(Kept),
     /// List the library's files again.
     List,
     /// Rename, copy, delete or bring back a file.
     ChangeFile(FileRequest),
     /// Compare two designs.
     Compare(CompareJob),
+    /// The comparison is no longer wanted.
+    CancelCompare,
     /// Draw all of the screen, whatever the terminal shows.
     Redraw,
+    /// Hand a text to the terminal: these bytes, as they are.
+    Copy(Vec<u8>),
     Suspend,
+    /// Take the terminal over again, whatever state it is in.
+    TakeAgain,
     Quit(Ending),
 }
 

@@ -21,9 +21,15 @@ pub mod app;
 pub mod axis;
 pub mod backend;
 pub mod caps;
+pub mod clipboard;
+pub mod colours;
 pub mod compare;
+pub mod conflict;
+mod copy;
 pub mod editor;
 pub mod effects;
+pub mod facts;
+pub mod file_jobs;
 pub mod files;
 pub mod fuzzy;
 pub mod help;
@@ -32,10 +38,16 @@ pub mod keymap;
 pub mod keys;
 mod layers;
 pub mod library;
+mod looks;
+pub mod marker;
 pub mod message;
 pub mod notice;
 pub mod overlays;
+pub mod painter;
 pub mod palette;
+mod pen;
+mod record;
+pub mod recovery;
 pub mod screens;
 mod signals;
 pub mod terminal;
@@ -52,8 +64,9 @@ pub use backend::{Backend, BrokenDesign, LoadedDesign, NotSaved};
 
 use app::App;
 use caps::Capabilities;
+use clipboard::Route;
 use keys::Keys;
-use message::{Ending, Message};
+use message::{Effect, Ending, Message};
 use terminal::Session;
 use worker::Worker;
 
@@ -113,6 +126,7 @@ pub fn run(
     }
     let capabilities = Capabilities::detect(options.ascii, |name| std::env::var(name).ok());
     let mut app = App::new(library, shown_as, capabilities);
+    app.clipboard = Route::detect(|name| std::env::var(name).ok());
     app.keys = options.keys;
     if let Some((short, full)) = options.keys_report {
         app.complain_at_length(short, full);
@@ -135,6 +149,11 @@ pub fn run(
     }
 }
 
+fn take_in(app: &mut App, message: Message) -> Vec<Effect> {
+    record::record(&message);
+    app.update(message)
+}
+
 fn run_loop(app: &mut App, receiver: &Receiver<Message>, worker: &Worker, session: &mut Session) -> io::Result<Ending> {
     let mut effects = app.start();
     loop {
@@ -142,7 +161,7 @@ fn run_loop(app: &mut App, receiver: &Receiver<Message>, worker: &Worker, sessio
             return Ok(ending);
         }
         let Ok(message) = receiver.recv() else { return Ok(Ending::TerminalGone) };
-        effects = app.update(message);
+        effects = take_in(app, message);
         // everything that is there already goes into the same frame; and where the selected design will be solved in a
         // moment, there is no flash of an empty pane
         let deadline = Instant::now() + SETTLE;
@@ -153,7 +172,7 @@ fn run_loop(app: &mut App, receiver: &Receiver<Message>, worker: &Worker, sessio
             let patience =
                 if app.is_settling() { deadline.saturating_duration_since(Instant::now()) } else { Duration::ZERO };
             match receiver.recv_timeout(patience) {
-                Ok(message) => effects = app.update(message),
+                Ok(message) => effects = take_in(app, message),
                 Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
             }
         }

@@ -19,6 +19,8 @@ pub enum NoticeKind {
     Failed,
     /// The library cannot be listed; until it can.
     NotListed,
+    /// Something is wrong and stays so; where there is nothing else to be said.
+    Standing,
 }
 
 impl From<&str> for Notice {
@@ -53,7 +55,7 @@ impl Messages {
         self.all.iter().rev().map(|text| text.trim_end()).collect::<Vec<_>>().join("\n\n")
     }
 
-    fn keep(&mut self, text: String) {
+    pub(super) fn keep(&mut self, text: String) {
         if self.all.len() == MOST {
             self.all.remove(0);
         }
@@ -62,6 +64,15 @@ impl Messages {
 }
 
 impl App {
+    /// What is to be said now.
+    pub fn shown_notice(&self) -> Option<Notice> {
+        let standing = || {
+            let text = self.recovery.unprotected.clone()?;
+            Some(Notice { text, kind: NoticeKind::Standing })
+        };
+        self.notice.clone().or_else(standing)
+    }
+
     /// Says that something was done.
     pub fn say(&mut self, text: impl Into<String>) {
         self.notify(text.into(), NoticeKind::Done);
@@ -75,6 +86,12 @@ impl App {
     /// Says a few words in the footer and keeps the whole text.
     pub fn complain_at_length(&mut self, text: impl Into<String>, full: String) {
         self.notice = Some(text.into().into());
+        self.messages.keep(full);
+    }
+
+    /// Says that something is so, in a few words, and keeps the whole text.
+    pub(super) fn say_at_length(&mut self, text: impl Into<String>, full: String) {
+        self.notice = Some(Notice { text: text.into(), kind: NoticeKind::Done });
         self.messages.keep(full);
     }
 

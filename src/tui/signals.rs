@@ -1,6 +1,8 @@
-//! TERM, HUP and INT, and a terminal that goes away without a signal.
+//! TERM, HUP and INT, TSTP and CONT, a limit on the size of files, and a terminal that goes away without a signal.
 
 use std::io;
+#[cfg(unix)]
+use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::Duration;
@@ -13,21 +15,35 @@ use super::terminal;
 /// How long the explorer has for ending by itself.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Turns the signals that end a program into messages. If the program has not ended a second later, because it hangs in
-/// a write to a dead terminal, it is ended here.
+/// Turns the signals that end, stop and continue a program into messages. If the program has not ended a second after it was
+/// asked to, because it hangs in a write to a dead terminal, it is ended here.
 ///
 /// # Errors
 ///
 /// The system's, if the signals cannot be caught.
 #[cfg(unix)]
 pub fn watch(sender: Sender<Message>) -> io::Result<()> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGTERM, SIGTSTP, SIGXFSZ};
     use signal_hook::iterator::Signals;
 
-    let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT])?;
+    // a limit on the size of files is then an error of writing, and not the end
+    signal_hook::flag::register(SIGXFSZ, Arc::default())?;
+
+    let mut signals = Signals::new([SIGTERM, SIGHUP, SIGINT, SIGTSTP, SIGCONT])?;
     let work = move || {
         for number in signals.forever() {
-            let told = sender.send(Message::Signal(number)).is_ok();
+            let message = match number {
+                SIGTSTP => Message::Suspend,
+                // where the program has suspended itself, it comes back by itself
+                SIGCONT if terminal::is_suspended() => continue,
+                SIGCONT => Message::Continued,
+                _ => Message::Signal(number),
+            };
+            let ends = matches!(message, Message::Signal(_));
+            let told = sender.send(message).is_ok();
+            if !ends {
+                continue;
+            }
             if told {
                 thread::sleep(PATIENCE);
             }

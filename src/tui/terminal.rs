@@ -3,7 +3,7 @@
 //! It is given back when [`Session`] is dropped, before a panic prints its message, and before the program is suspended
 //! or ended by a signal.
 
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, Stdout, Write};
 use std::mem::ManuallyDrop;
 use std::panic;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,26 +12,28 @@ use std::thread::{self, ThreadId};
 use std::time::Duration;
 
 use ratatui::Terminal;
-use ratatui::backend::CrosstermBackend;
 use ratatui::crossterm::cursor::{Hide, Show};
 use ratatui::crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
-use ratatui::crossterm::style::force_color_output;
+use ratatui::crossterm::execute;
+use ratatui::crossterm::style::{Attribute, SetAttribute};
 use ratatui::crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
-    enable_raw_mode,
+    EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode, enable_raw_mode, size,
 };
-use ratatui::crossterm::{execute, queue};
 
 use super::app::App;
+use super::painter::Painter;
 use super::view;
+use crate::{crash, log};
 
 /// Whether the terminal is ours at the moment.
 static TAKEN: AtomicBool = AtomicBool::new(false);
+/// Whether the program has suspended itself.
+static SUSPENDED: AtomicBool = AtomicBool::new(false);
 
 /// A terminal that is ours until this is dropped.
 pub struct Session {
     /// Never dropped: ratatui would show the cursor once more, and where the terminal is gone panic over it.
-    terminal: ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>,
+    terminal: ManuallyDrop<Terminal<Painter<Stdout>>>,
 }
 
 impl std::fmt::Debug for Session {
@@ -48,10 +50,7 @@ impl Session {
     /// The system's; the terminal is as it was.
     pub fn enter() -> io::Result<Self> {
         restore_before_panic(thread::current().id());
-        // the themes decide about colour; with NO_COLOR crossterm would write full resets in place of colours
-        force_color_output(true);
-        // a frame is written in one piece
-        let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
+        let backend = Painter::new(io::stdout(), size);
         let session = Self { terminal: ManuallyDrop::new(Terminal::new(backend)?) };
         take()?;
         Ok(session)
@@ -63,9 +62,18 @@ impl Session {
     ///
     /// The terminal cannot be written to.
     pub fn draw(&mut self, app: &mut App) -> io::Result<()> {
-        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
-        self.terminal.draw(|frame| view::draw(app, frame))?;
-        execute!(self.terminal.backend_mut(), EndSynchronizedUpdate)
+        self.terminal.draw(|frame| view::draw(app, frame)).map(drop)
+    }
+
+    /// Writes a sequence that draws nothing, between two frames.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be written to.
+    pub fn send(&mut self, sequence: &[u8]) -> io::Result<()> {
+        let out = self.terminal.backend_mut().writer_mut();
+        out.write_all(sequence)?;
+        out.flush()
     }
 
     /// Forgets what the terminal shows: the next frame is drawn whole.
@@ -74,7 +82,7 @@ impl Session {
     ///
     /// The terminal cannot be written to.
     pub fn clear(&mut self) -> io::Result<()> {
-        // `Terminal::clear` would ask the terminal for the cursor: the answer goes to the thread that reads keys
+        self.terminal.backend_mut().forget();
         let size = self.terminal.size()?;
         self.terminal.resize(size.into())
     }
@@ -88,11 +96,33 @@ impl Session {
         #[cfg(unix)]
         {
             restore();
-            signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
-            take()?;
-            self.clear()?;
+            log::write("suspended");
+            SUSPENDED.store(true, Ordering::SeqCst);
+            let stopped = signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP);
+            log::write("continued");
+            let taken = take().and_then(|()| self.clear());
+            // the signal that continued the program may come later than this, and does no more than draw once again
+            SUSPENDED.store(false, Ordering::SeqCst);
+            stopped.and(taken)
         }
+        #[cfg(not(unix))]
         Ok(())
+    }
+
+    /// Takes the terminal over once more after the program was stopped with the terminal in its hands: whoever had it
+    /// meanwhile has left it in another state.
+    ///
+    /// # Errors
+    ///
+    /// The terminal cannot be taken over again.
+    pub fn take_again(&mut self) -> io::Result<()> {
+        // crossterm believes that it is still raw
+        disable_raw_mode()?;
+        enable_raw_mode()?;
+        // the cursor that was saved when the terminal was taken over is the one to go back to: it is not saved again
+        self.send(b"\x1b[?1047h")?;
+        execute!(io::stdout(), Hide, EnableBracketedPaste)?;
+        self.clear()
     }
 }
 
@@ -108,6 +138,9 @@ fn take() -> io::Result<()> {
     // bracketed paste: text from the clipboard must not act as keys
     execute!(io::stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste).inspect_err(|_| restore())
 }
+
+/// The exit status of a Rust program that panicked.
+const PANICKED: i32 = 101;
 
 /// Gives the terminal back, once. Errors are of no use here: the terminal may be what is gone.
 pub fn restore() {
@@ -135,7 +168,14 @@ pub fn restore_in_passing() {
 }
 
 fn leave() {
-    drop(execute!(io::stdout(), EndSynchronizedUpdate, DisableBracketedPaste, Show, LeaveAlternateScreen));
+    drop(execute!(
+        io::stdout(),
+        EndSynchronizedUpdate,
+        SetAttribute(Attribute::Reset),
+        DisableBracketedPaste,
+        Show,
+        LeaveAlternateScreen
+    ));
     drop(io::stdout().flush());
 }
 
@@ -144,18 +184,33 @@ pub fn is_taken() -> bool {
     TAKEN.load(Ordering::SeqCst)
 }
 
-/// A panic of the thread that draws gives the terminal back before its message is printed. Those of the background
-/// threads are caught there and shown as the design's error: printing them would go through the picture.
+/// Whether the program has suspended itself, and has not yet taken the terminal over again.
+pub fn is_suspended() -> bool {
+    SUSPENDED.load(Ordering::SeqCst)
+}
+
+/// A panic that ends the program gives the terminal back before its message is printed, and ends it wherever it happens: an
+/// explorer without its keys would be of no use. One that is caught says nothing, which would go through the picture.
 fn restore_before_panic(drawing: ThreadId) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
         let previous = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
-            if is_taken() && thread::current().id() != drawing {
-                return;
+            if crash::is_caught() {
+                return previous(info);
             }
-            restore();
+            let draws = thread::current().id() == drawing;
+            let taken = is_taken();
+            // the thread that draws may hang, or be in the middle of a frame
+            if draws {
+                restore();
+            } else {
+                restore_in_passing();
+            }
             previous(info);
+            if taken && !draws {
+                std::process::exit(PANICKED);
+            }
         }));
     });
 }

@@ -1,5 +1,6 @@
 //! One line of text that is being typed.
 
+use super::action::Action;
 use crate::text::{cut, cut_start, printable};
 use unicode_width::UnicodeWidthStr;
 
@@ -26,10 +27,26 @@ impl TextField {
         self.text.is_empty()
     }
 
-    /// Puts text in at the cursor.
+    /// Puts text in at the cursor: what of it is one line, and no control character.
     pub fn insert(&mut self, text: &str) {
-        self.text.insert_str(self.cursor, text);
-        self.cursor += text.len();
+        let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
+        self.text.insert_str(self.cursor, &line);
+        self.cursor += line.len();
+    }
+
+    /// What an action does to a text; nothing where it is for something else.
+    pub fn edit_of(action: Action) -> Option<fn(&mut Self)> {
+        Some(match action {
+            Action::TextLeft => Self::left,
+            Action::TextRight => Self::right,
+            Action::TextStart => Self::start,
+            Action::TextEnd => Self::end,
+            Action::DeleteCharacter => Self::delete_before,
+            Action::DeleteForward => Self::delete_after,
+            Action::DeleteWord => Self::delete_word,
+            Action::ClearText => Self::delete_to_start,
+            _ => return None,
+        })
     }
 
     pub fn left(&mut self) {
@@ -61,8 +78,18 @@ impl TextField {
         self.text.drain(self.cursor..self.cursor + length);
     }
 
-    pub fn clear(&mut self) {
-        *self = Self::default();
+    /// Takes out everything before the cursor.
+    pub fn delete_to_start(&mut self) {
+        self.text.drain(..self.cursor);
+        self.cursor = 0;
+    }
+
+    /// Takes out the word before the cursor, and the blanks between.
+    pub fn delete_word(&mut self) {
+        let word = self.before().trim_end();
+        let start = word.rfind(' ').map_or(0, |space| space + 1);
+        self.text.drain(start..self.cursor);
+        self.cursor = start;
     }
 
     /// What is seen of it in `width` columns, harmless, and the column of the cursor.
@@ -100,7 +127,19 @@ mod tests {
         field.left();
         field.delete_before();
         assert_eq!(field.text(), "Übr");
-        field.clear();
+        field.end();
+        field.insert("m\nq");
+        assert_eq!(field.text(), "Übrm");
+        field.left();
+        field.delete_to_start();
+        assert_eq!(field.text(), "m");
+        field.end();
+        field.insert(" 13 mm ");
+        field.delete_word();
+        assert_eq!(field.text(), "m 13 ");
+        field.delete_word();
+        field.delete_word();
+        assert_eq!(field.text(), "");
         field.left();
         field.delete_before();
         field.delete_after();

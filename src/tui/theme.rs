@@ -1,12 +1,13 @@
 //! Colours and characters.
 //!
-//! State never hangs on colour: what a style says, a character says too. The monochrome theme is chosen here, and not
-//! left to crossterm: with `NO_COLOR` set, crossterm 0.29 writes an empty colour command in place of each colour, which
-//! is a full reset and takes the reverse video of the selected row with it.
+//! State never hangs on colour: what a style says, a character says too. Without colours there is a theme of its own, which
+//! tells the selected row by reverse video.
 
-use ratatui::style::{Color, Modifier, Style};
+use ratatui::style::{Modifier, Style};
 
-use super::caps::{Background, Capabilities, ColourDepth};
+use super::caps::{Capabilities, ColourDepth};
+use super::colours::Colours;
+use super::marker::Marker;
 
 /// Every style and character that the screens use.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +28,10 @@ pub struct Theme {
     pub warning: Style,
     pub key: Style,
     pub glyphs: &'static Glyphs,
+    /// What curves and shafts are drawn with.
+    pub marker: Marker,
+    /// What all of this was chosen for.
+    pub capabilities: Capabilities,
 }
 
 /// The characters that differ between Unicode and ASCII.
@@ -55,8 +60,6 @@ pub struct Glyphs {
     /// The trust limit on the frequency axis.
     pub trust: char,
     pub band: char,
-    /// How the legend shows the curves: FE, enhanced, basic.
-    pub samples: [&'static str; 3],
     /// The letters of the curves where there are no dots.
     pub letters: [char; 3],
     pub horizontal: char,
@@ -89,7 +92,6 @@ static UNICODE: Glyphs = Glyphs {
     ticked: '×',
     trust: '▲',
     band: '░',
-    samples: ["━", "╍", "┈"],
     letters: ['F', 'e', 'b'],
     horizontal: '─',
     vertical: '│',
@@ -121,7 +123,6 @@ static ASCII: Glyphs = Glyphs {
     ticked: 'x',
     trust: '^',
     band: ':',
-    samples: ["F", "e", "b"],
     letters: ['F', 'e', 'b'],
     horizontal: '-',
     vertical: '|',
@@ -136,8 +137,7 @@ static ASCII: Glyphs = Glyphs {
 };
 
 impl Theme {
-    /// The theme for a terminal. All but the band behind the curves comes from the user's own 16 colours, so light and
-    /// dark backgrounds both work.
+    /// The theme for a terminal. Without more than the user's own 16 colours, all is made of those.
     pub fn new(capabilities: Capabilities) -> Self {
         let glyphs = if capabilities.ascii { &ASCII } else { &UNICODE };
         let plain = Style::new();
@@ -157,34 +157,25 @@ impl Theme {
             warning: bold,
             key: bold,
             glyphs,
+            marker: Marker::first(capabilities.ascii),
+            capabilities,
         };
         if capabilities.colour == ColourDepth::None {
             return monochrome;
         }
+        let colours = Colours::new(capabilities.colour, capabilities.background);
         Self {
-            enhanced: plain.fg(Color::Cyan),
-            basic: plain.fg(Color::Magenta),
-            // dimmed, or half a picture of it would outshine the curves
-            band: plain.bg(band_colour(capabilities)).add_modifier(Modifier::DIM),
-            beyond: bold.fg(Color::Red),
-            border: plain.add_modifier(Modifier::DIM),
-            border_focused: bold.fg(Color::Cyan),
-            faint: plain.add_modifier(Modifier::DIM),
-            error: bold.fg(Color::Red),
-            warning: bold.fg(Color::Yellow),
-            key: bold.fg(Color::Cyan),
+            enhanced: plain.fg(colours.enhanced),
+            basic: plain.fg(colours.basic),
+            band: colours.band,
+            beyond: bold.fg(colours.error),
+            border: colours.border,
+            border_focused: bold.fg(colours.enhanced),
+            faint: colours.faint,
+            error: bold.fg(colours.error),
+            warning: bold.fg(colours.warning),
+            key: bold.fg(colours.enhanced),
             ..monochrome
         }
-    }
-}
-
-/// Grey from the user's palette lies under dark and light text alike; a tint needs to know what it lies on.
-fn band_colour(capabilities: Capabilities) -> Color {
-    match (capabilities.colour, capabilities.background) {
-        (ColourDepth::True, Background::Dark) => Color::Rgb(72, 36, 36),
-        (ColourDepth::True, Background::Light) => Color::Rgb(250, 222, 218),
-        (ColourDepth::Indexed, Background::Dark) => Color::Indexed(52),
-        (ColourDepth::Indexed, Background::Light) => Color::Indexed(224),
-        _ => Color::DarkGray,
     }
 }

@@ -20,10 +20,20 @@ use super::worker::{Solved, Ticket};
 impl App {
     /// Takes in one message.
     pub fn update(&mut self, message: Message) -> Vec<Effect> {
+        let mut effects = self.take_in(message);
+        self.keep_notice_of_editor();
+        let protection = self.protect();
+        // before the program ends
+        effects.splice(0..0, protection);
+        effects
+    }
+
+    fn take_in(&mut self, message: Message) -> Vec<Effect> {
         match message {
             Message::Key(event) => self.key(event),
             Message::Paste(text) => self.paste(&text),
-            Message::Resized => Vec::new(),
+            // it may have had another size in between, and shows what that left
+            Message::Resized => vec![Effect::Redraw],
             Message::Loaded { ticket, path, result } => {
                 if let Some(row) = self.library.row_mut(&path).filter(|row| ticket >= row.ticket) {
                     row.ticket = ticket;
@@ -46,10 +56,11 @@ impl App {
                     }
                     self.library.names_changed(moves);
                 }
-                if let Err(broken) = result
-                    && self.awaits(ticket, &path)
-                {
-                    self.finish(Outcome::Failed { title: BROKEN, text: broken.full_text });
+                if self.awaits(ticket, &path) {
+                    match result {
+                        Ok(loaded) => self.detail.loaded = Some(loaded),
+                        Err(broken) => self.finish(Outcome::Failed { title: BROKEN, text: broken.full_text }),
+                    }
                 }
                 self.follow_selection()
             }
@@ -68,6 +79,10 @@ impl App {
             }
             Message::Saved { path, text, result } => self.saved(&path, text, result),
             Message::VariantSaved { original, result } => self.variant_saved(&original, result),
+            message @ (Message::Looked { .. } | Message::Left(_) | Message::Protected(_) | Message::NotTidied(_)) => {
+                self.hear_of_recovery(message);
+                Vec::new()
+            }
             Message::Listed(Ok(paths)) => {
                 self.notice.take_if(|notice| notice.kind == NoticeKind::NotListed);
                 self.library.replace(paths);
@@ -84,6 +99,8 @@ impl App {
                 self.compared(ticket, *result);
                 Vec::new()
             }
+            Message::Suspend => vec![Effect::Suspend],
+            Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
             Message::TerminalGone => vec![Effect::Quit(Ending::TerminalGone)],
         }
@@ -113,7 +130,9 @@ impl App {
         if self.awaits(ticket, path) {
             match result {
                 Ok(Solved { summary, traces: Some(traces) }) => {
+                    let Some(loaded) = self.detail.loaded.take() else { return };
                     self.finish(Outcome::Solved {
+                        loaded,
                         summary: Box::new(summary),
                         picture: Box::new(Picture::new(*traces)),
                     });
@@ -128,8 +147,13 @@ impl App {
         if event.kind == KeyEventKind::Release {
             return Vec::new();
         }
+        let action = self.keys.action(self.mode, event);
+        // nothing is done to what cannot be seen
+        if self.is_unseen && !matches!(action, Some(Action::Quit | Action::Suspend | Action::Redraw)) {
+            return Vec::new();
+        }
         self.clear_notice();
-        if let Some(action) = self.keys.action(self.mode, event) {
+        if let Some(action) = action {
             return self.run(action);
         }
         match event.code {
@@ -148,7 +172,6 @@ impl App {
     /// Letters, where something is typed.
     fn type_text(&mut self, text: &str) -> Vec<Effect> {
         match self.mode {
-            Mode::Filter => self.edit_filter(|filter| filter.push_str(text)),
             Mode::Cell | Mode::Form => self.paste_in_editor(text),
             _ => self.edit(|field| field.insert(text)),
         }
@@ -157,6 +180,7 @@ impl App {
     /// Changes what is being typed.
     fn edit(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
         match self.mode {
+            Mode::Filter => return self.edit_filter(edit),
             Mode::HelpSearch => self.edit_help_search(edit),
             Mode::Palette => self.edit_palette(edit),
             Mode::Name => self.edit_form(edit),
@@ -167,14 +191,14 @@ impl App {
 
     /// Text from the clipboard is text and never keys: a `q` in it does not quit.
     fn paste(&mut self, text: &str) -> Vec<Effect> {
-        let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
-        self.type_text(&line)
+        if self.is_unseen {
+            return Vec::new();
+        }
+        self.type_text(text)
     }
 
-    fn edit_filter(&mut self, edit: impl FnOnce(&mut String)) -> Vec<Effect> {
-        let mut filter = self.library.filter().to_owned();
-        edit(&mut filter);
-        self.library.set_filter(filter);
+    fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
+        self.library.edit_filter(edit);
         self.follow_selection()
     }
 
@@ -196,7 +220,7 @@ impl App {
             }
             Action::Filter => {
                 self.mode = Mode::Filter;
-                Vec::new()
+                self.edit_filter(TextField::end)
             }
             Action::KeepFilter if self.mode == Mode::HelpSearch => {
                 self.close();
@@ -212,23 +236,13 @@ impl App {
             }
             Action::NextMatch => self.next_match(1),
             Action::PreviousMatch => self.next_match(-1),
-            Action::DeleteCharacter if self.mode == Mode::Filter => {
-                self.edit_filter(|filter| filter.truncate(filter.len() - last_letter(filter)))
-            }
-            Action::DeleteCharacter => self.edit(TextField::delete_before),
-            Action::DeleteForward => self.edit(TextField::delete_after),
-            Action::ClearText if self.mode == Mode::Filter => self.edit_filter(String::clear),
-            Action::ClearText => self.edit(TextField::clear),
-            Action::TextLeft => self.edit(TextField::left),
-            Action::TextRight => self.edit(TextField::right),
-            Action::TextStart => self.edit(TextField::start),
-            Action::TextEnd => self.edit(TextField::end),
             Action::ToggleTree => {
                 self.library.toggle_tree();
                 self.say(if self.library.is_tree() { "variants below their parents" } else { "all designs by name" });
                 self.follow_selection()
             }
             Action::Compare => self.open_compare(),
+            Action::Swap => self.swap_compared(),
             Action::Mark
             | Action::Rename
             | Action::Duplicate
@@ -260,9 +274,18 @@ impl App {
             Action::Quit => self.quit(),
             Action::OpenEditor => self.open_editor(),
             Action::SaveAll => self.save_all(),
-            Action::DiscardAll => vec![Effect::Quit(Ending::Quit)],
-            // the rest is the editor's
-            _ => Vec::new(),
+            Action::DiscardAll
+            | Action::Recover
+            | Action::TakeEdits
+            | Action::DiscardEdits
+            | Action::NextOffer
+            | Action::KeepMine
+            | Action::TakeTheirs
+            | Action::SaveVariant => self.answer(action),
+            Action::CycleMarker | Action::ToggleBackground => self.change_looks(action),
+            Action::Copy | Action::CopyPath => self.copy(action),
+            // the rest is about what is typed, or the editor's
+            _ => TextField::edit_of(action).map_or(Vec::new(), |edit| self.edit(edit)),
         }
     }
 
@@ -287,6 +310,8 @@ impl App {
             Mode::Help | Mode::HelpSearch => self.help_scroll.page(),
             Mode::Palette => self.palette.height.saturating_sub(1).max(1).cast_signed(),
             Mode::Messages => self.messages.scroll.page(),
+            Mode::Recovery => self.recovery.offers.scroll.page(),
+            Mode::Conflict => self.conflicts.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
             _ => 0,
         }
@@ -302,6 +327,8 @@ impl App {
             Mode::Help | Mode::HelpSearch => self.help_scroll.by(by),
             Mode::Palette => self.move_in_palette(by),
             Mode::Messages => self.messages.scroll.by(by),
+            Mode::Recovery => self.recovery.offers.scroll.by(by),
+            Mode::Conflict => self.conflicts.scroll.by(by),
             Mode::Compare => {
                 if let Some(view) = &mut self.compare {
                     view.scroll.by(by);
@@ -335,21 +362,22 @@ impl App {
             Mode::Compare => {
                 self.compare = None;
                 self.close();
+                return vec![Effect::CancelCompare];
             }
             Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
+            Mode::Recovery => {
+                self.close();
+                self.say("kept for later: :recover shows them again");
+            }
+            Mode::Conflict => self.cancel_conflicts(),
             Mode::Leave => self.stay(),
             Mode::Text => self.mode = Mode::Library,
             Mode::Filter | Mode::Library => {
                 self.mode = Mode::Library;
-                return self.edit_filter(String::clear);
+                return self.edit_filter(|filter| *filter = TextField::default());
             }
             _ => {}
         }
         Vec::new()
     }
-}
-
-/// Bytes of the last letter.
-fn last_letter(text: &str) -> usize {
-    text.chars().next_back().map_or(0, char::len_utf8)
 }

@@ -17,7 +17,8 @@ pub fn draw(app: &mut App, frame: &mut Frame) {
 /// The screen of the lowest layer, and the windows over it.
 fn render(app: &mut App, frame: &mut Frame) {
     let area = frame.area();
-    if !fits(area) {
+    app.is_unseen = !fits(area);
+    if app.is_unseen {
         return render_too_small(app, area, frame.buffer_mut());
     }
     let cursor = if app.layers().any(|mode| mode == Mode::Compare) {

@@ -14,15 +14,18 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::backend::{Backend, BrokenDesign, NotSaved};
+use super::backend::{Backend, BrokenDesign};
 use super::compare::CompareJob;
+pub use super::file_jobs::{FileJob, perform_file};
 use super::files::FileRequest;
 use super::message::Message;
+use super::recovery::{Keeper, Kept};
 use super::traces::Traces;
 use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
+use crate::crash;
 use crate::design::Design;
-use crate::design::library::VariantName;
+use crate::model::Caveat;
 
 /// Numbers the requests: of two results for the same thing, the one with the higher ticket counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -45,26 +48,6 @@ pub struct EditedJob {
     pub design: Arc<Design>,
 }
 
-/// A text to be read or written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum FileJob {
-    Open {
-        path: PathBuf,
-    },
-    /// Written only if the file still is as `expected`.
-    Save {
-        path: PathBuf,
-        expected: String,
-        text: String,
-    },
-    SaveVariant {
-        original: PathBuf,
-        name: VariantName,
-        text: String,
-        note: Option<String>,
-    },
-}
-
 /// What the library and the header say about a solved design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
@@ -74,6 +57,8 @@ pub struct Summary {
     pub elapsed: Duration,
     pub enhanced: Agreement,
     pub basic: Agreement,
+    /// Of the enhanced model
+    pub caveats: Vec<Caveat>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -140,27 +125,6 @@ pub fn perform_edited(
     }
 }
 
-/// Reads or writes a text.
-pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Message {
-    let failed = |panic| format!("failed unexpectedly: {panic}");
-    match job {
-        FileJob::Open { path } => {
-            let result = guarded(|| backend.read(&path)).unwrap_or_else(|panic| Err(failed(panic)));
-            Message::Opened { path, result }
-        }
-        FileJob::Save { path, expected, text } => {
-            let result = guarded(|| backend.save(&path, &expected, &text))
-                .unwrap_or_else(|panic| Err(NotSaved::Failed(failed(panic))));
-            Message::Saved { path, text, result }
-        }
-        FileJob::SaveVariant { original, name, text, note } => {
-            let result = guarded(|| backend.save_variant(&original, &name, &text, note.as_deref()))
-                .unwrap_or_else(|panic| Err(failed(panic)));
-            Message::VariantSaved { original, result }
-        }
-    }
-}
-
 /// The solution or why there is none; nothing if the observer ended it.
 fn solve(
     design: &Design,
@@ -179,6 +143,7 @@ fn solve(
             elapsed,
             enhanced: comparison.enhanced_agreement,
             basic: comparison.basic_agreement,
+            caveats: comparison.caveats,
         };
         Ok(Solved { summary, traces })
     });
@@ -191,7 +156,7 @@ fn solve(
 }
 
 pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
+    catch_unwind(AssertUnwindSafe(|| crash::caught(work))).map_err(|payload| {
         let text = payload.downcast_ref::<String>().cloned();
         text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_else(|| "no message".into())
     })
@@ -201,6 +166,7 @@ pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
 #[derive(Debug)]
 pub struct Worker {
     shared: Arc<Shared>,
+    keeper: Keeper,
 }
 
 #[derive(Debug, Default)]
@@ -209,6 +175,8 @@ struct Shared {
     changed: Condvar,
     /// The ticket of the selected design's latest request; an older one is given up.
     latest: AtomicU64,
+    /// The same of the latest comparison.
+    latest_compared: AtomicU64,
 }
 
 #[derive(Debug, Default)]
@@ -263,7 +231,8 @@ impl Worker {
     ///
     /// The system's, if it allows no more threads.
     pub fn start(backend: Arc<dyn Backend>, sender: &Sender<Message>) -> std::io::Result<Self> {
-        let worker = Self { shared: Arc::default() };
+        let keeper = Keeper::start(Arc::clone(&backend), sender.clone())?;
+        let worker = Self { shared: Arc::default(), keeper };
         worker.spawn("selected", Arc::clone(&backend), sender, |queues| queues.selected.take())?;
         worker.spawn("changes", Arc::clone(&backend), sender, |queues| {
             queues.changes.pop_front().map(Task::ChangeFile)
@@ -294,15 +263,18 @@ impl Worker {
                 match task {
                     Task::ChangeFile(request) => report(change_file(request, &*backend)),
                     Task::Compare(job) => {
-                        let result = Box::new(super::compare::perform(&job, &*backend));
-                        report(Message::Compared { ticket: job.ticket, result });
+                        let wanted = || shared.latest_compared.load(Ordering::Relaxed) == job.ticket.0;
+                        let result = super::compare::perform(&job, &*backend, &wanted);
+                        if let Some(result) = result.map(Box::new) {
+                            report(Message::Compared { ticket: job.ticket, result });
+                        }
                     }
                     Task::Fill(job) => perform(&job, &*backend, &mut report),
                     Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
                     Task::SolveEdited(job) => {
                         perform_edited(&job, &*backend, &|| is_latest(job.ticket), &mut report);
                     }
-                    Task::File(job) => report(perform_file(job, &*backend)),
+                    Task::File(job) => perform_file(job, &*backend).into_iter().for_each(&mut report),
                     Task::List => {
                         if let Some(listed) = guarded(|| backend.list()).unwrap_or_else(|panic| Some(Err(panic))) {
                             report(Message::Listed(listed));
@@ -343,6 +315,11 @@ impl Worker {
         self.shared.changed.notify_all();
     }
 
+    /// Asks for unsaved edits to be kept, or no longer.
+    pub fn keep(&self, change: Kept) {
+        self.keeper.keep(change);
+    }
+
     /// Asks for the rows of the library in this order, in place of what was still waiting.
     pub fn fill(&self, jobs: Vec<Job>) {
         self.shared.lock().rows = jobs.into();
@@ -355,9 +332,21 @@ impl Worker {
         self.shared.changed.notify_all();
     }
 
-    /// Asks for two designs to be compared, in place of what was still waiting.
+    /// Asks for two designs to be compared; what was waiting or being solved for another comparison is given up.
     pub fn compare(&self, job: CompareJob) {
-        self.shared.lock().compare = Some(job);
+        self.set_compared(job.ticket, Some(job));
+    }
+
+    /// Gives up the comparison that is waiting or being made.
+    pub fn cancel_compare(&self) {
+        self.set_compared(Ticket::default(), None);
+    }
+
+    fn set_compared(&self, ticket: Ticket, job: Option<CompareJob>) {
+        let mut queues = self.shared.lock();
+        queues.compare = job;
+        self.shared.latest_compared.store(ticket.0, Ordering::Relaxed);
+        drop(queues);
         self.shared.changed.notify_all();
     }
 

@@ -48,6 +48,9 @@ const ANGULAR_STIFFNESS: &[Unit] = &[
     part("N mm/rad", 1e3),
     unit("lbf in/rad", POUND_FORCE * 0.0254),
 ];
+const FORCE: &[Unit] = &[unit("N", 1.0), unit("kN", 1e3), unit("MN", 1e6), unit("lbf", POUND_FORCE)];
+const FORCE_PER_RADIAN: &[Unit] =
+    &[unit("N/rad", 1.0), unit("kN/rad", 1e3), unit("MN/rad", 1e6), unit("lbf/rad", POUND_FORCE)];
 const ELASTIC_MODULUS: &[Unit] = &[
     unit("GPa", 1.0),
     part("MPa", 1e3),
@@ -66,7 +69,6 @@ const DENSITY: &[Unit] = &[
 const ANGLE: &[Unit] = &[unit("deg", 1.0), unit("rad", 180.0 / std::f64::consts::PI)];
 const TILT: &[Unit] =
     &[unit("mrad", 1.0), unit("rad", 1e3), part("urad", 1e3), unit("deg", 1e3 * std::f64::consts::PI / 180.0)];
-const FORCE: &[Unit] = &[unit("N", 1.0), unit("kN", 1e3), unit("MN", 1e6), unit("lbf", POUND_FORCE)];
 const TORQUE: &[Unit] = &[
     unit("N m", 1.0),
     unit("kN m", 1e3),
@@ -92,11 +94,12 @@ impl Quantity {
             Self::Inertia => INERTIA,
             Self::Stiffness => STIFFNESS,
             Self::AngularStiffness => ANGULAR_STIFFNESS,
+            Self::Force => FORCE,
+            Self::ForcePerRadian => FORCE_PER_RADIAN,
             Self::ElasticModulus => ELASTIC_MODULUS,
             Self::Density => DENSITY,
             Self::Angle => ANGLE,
             Self::Tilt => TILT,
-            Self::Force => FORCE,
             Self::Torque => TORQUE,
             Self::Speed => SPEED,
             Self::BallContact => BALL_CONTACT,
@@ -111,15 +114,43 @@ impl Quantity {
     }
 }
 
-/// The name without what people write in several ways: blanks, dots, `^`, small digits.
-pub(super) fn plain(name: &str) -> String {
-    let plain = |c: char| match c {
-        '²' => Some('2'),
-        '³' => Some('3'),
-        'µ' | 'μ' => Some('u'),
-        '^' | '*' | '·' | '.' | '⋅' => None,
-        c if c.is_whitespace() => None,
-        c => Some(c),
-    };
-    name.chars().filter_map(plain).collect()
+/// Whether `typed` is the unit `name`, as people write it: `N m` also as `Nm`, `N·m`, `N*m` or `N.m`, `m^2` also as `m2`
+/// or `m²`, `um` also as `µm`.
+pub(super) fn is_unit(typed: &str, name: &str) -> bool {
+    let mut typed = typed.trim().chars().map(plain).peekable();
+    for wanted in name.chars() {
+        match wanted {
+            ' ' => {
+                while typed.next_if(|c| c.is_whitespace()).is_some() {}
+                if typed.next_if(|c| "*·⋅.".contains(*c)).is_some() {
+                    while typed.next_if(|c| c.is_whitespace()).is_some() {}
+                }
+            }
+            '^' => {
+                typed.next_if_eq(&'^');
+            }
+            '/' => {
+                while typed.next_if(|c| c.is_whitespace()).is_some() {}
+                if typed.next() != Some('/') {
+                    return false;
+                }
+                while typed.next_if(|c| c.is_whitespace()).is_some() {}
+            }
+            wanted => {
+                if typed.next() != Some(wanted) {
+                    return false;
+                }
+            }
+        }
+    }
+    typed.next().is_none()
+}
+
+fn plain(c: char) -> char {
+    match c {
+        '²' => '2',
+        '³' => '3',
+        'µ' | 'μ' => 'u',
+        c => c,
+    }
 }

@@ -1,7 +1,7 @@
 //! Numbers as people type them, with or without a unit.
 
 use super::Quantity;
-use super::accepted::plain;
+use super::accepted::is_unit;
 use crate::text::excerpt;
 
 /// A number that was typed, in the unit of design files.
@@ -52,20 +52,24 @@ fn accepted_units(units: &[&str]) -> String {
 ///
 /// [`UnitError`] says what is wanted.
 pub fn parse(text: &str, quantity: Quantity) -> Result<Typed, UnitError> {
-    let text = text.trim();
-    let wanted = UnitError::NoNumber { unit: quantity.unit(), example: example(quantity) };
-    let (number, rest) = split(text).ok_or(wanted)?;
+    // the sign as word processors write it
+    let text = text.trim().replace('\u{2212}', "-");
+    let wanted = || UnitError::NoNumber { unit: quantity.unit(), example: quantity.example() };
+    let (number, rest) = split(&text).ok_or_else(wanted)?;
     if let Some(decimals) = rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
-        return Err(UnitError::Comma { suggestion: excerpt(&format!("{number}.{decimals}"), 40) });
+        return Err(UnitError::Comma { suggestion: excerpt(&with_point(number, decimals), 40) });
+    }
+    if !separates_digits(number) {
+        return Err(wanted());
     }
     let (spelled, value) = spell(number).ok_or_else(|| UnitError::TooLarge { number: excerpt(number, 40) })?;
-    let unit = plain(rest);
-    if unit.is_empty() || (unit == plain(quantity.unit())) {
+    let unit = rest.trim();
+    if unit.is_empty() || is_unit(unit, quantity.unit()) {
         return Ok(Typed { text: spelled, value });
     }
-    let Some(unit) = quantity.accepted().iter().find(|accepted| plain(accepted.name) == unit) else {
+    let Some(unit) = quantity.accepted().iter().find(|accepted| is_unit(unit, accepted.name)) else {
         let accepted = quantity.units().collect();
-        return Err(UnitError::UnknownUnit { unit: excerpt(rest.trim(), 40), accepted });
+        return Err(UnitError::UnknownUnit { unit: excerpt(unit, 40), accepted });
     };
     let text = shortest(value * unit.times / unit.over);
     match text.parse::<f64>() {
@@ -74,25 +78,41 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Typed, UnitError> {
     }
 }
 
-const fn example(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Length => "35, 0.035 m or 1.4 in",
-        Quantity::Deflection => "5 or 0.005 mm",
-        Quantity::Frequency => "1200 or 1.2 kHz",
-        Quantity::Mass => "1.5 or 1500 g",
-        Quantity::Inertia => "7e-4 or 700 kg mm^2",
-        Quantity::Stiffness => "6e8 or 600 N/um",
-        Quantity::AngularStiffness => "1.5e5 or 150 kN m/rad",
-        Quantity::ElasticModulus => "206 or 206000 MPa",
-        Quantity::Density => "7850 or 7.85 g/cm^3",
-        Quantity::Angle => "40 or 0.7 rad",
-        Quantity::Tilt => "0.5 or 0.0005 rad",
-        Quantity::Force => "5000 or 5 kN",
-        Quantity::Torque => "300 or 0.3 kN m",
-        Quantity::Speed => "1200 or 20 Hz",
-        Quantity::BallContact => "1.1e10 or 3.5e5 N/mm^1.5",
-        Quantity::RollerContact => "9.6e8 or 4.5e5 N/mm^(10/9)",
-        Quantity::Ratio | Quantity::Damping => "0.03 or 3 %",
+/// What was meant by a number with a comma in it: of comma and point, the last one is the decimal separator.
+fn with_point(whole: &str, decimals: &str) -> String {
+    if decimals.contains('.') { format!("{whole}{decimals}") } else { format!("{}.{decimals}", whole.replace('.', "")) }
+}
+
+/// Whether each `_` stands between two digits, as in a design file.
+fn separates_digits(number: &str) -> bool {
+    let parts: Vec<&str> = number.split('_').collect();
+    let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphanumeric());
+    parts.windows(2).all(|pair| digit(pair[0].chars().next_back()) && digit(pair[1].chars().next()))
+}
+
+impl Quantity {
+    /// What may be typed, in words: `6e8 or 600 N/um`.
+    pub const fn example(self) -> &'static str {
+        match self {
+            Self::Length => "35, 0.035 m or 1.4 in",
+            Self::Deflection => "5 or 0.005 mm",
+            Self::Frequency => "1200 or 1.2 kHz",
+            Self::Mass => "1.5 or 1500 g",
+            Self::Inertia => "7e-4 or 700 kg mm^2",
+            Self::Stiffness => "6e8 or 600 N/um",
+            Self::AngularStiffness => "1.5e5 or 150 kN m/rad",
+            Self::Force => "5000 or 5 kN",
+            Self::ForcePerRadian => "-7e6 or -7000 kN/rad",
+            Self::ElasticModulus => "206 or 206000 MPa",
+            Self::Density => "7850 or 7.85 g/cm^3",
+            Self::Angle => "40 or 0.7 rad",
+            Self::Tilt => "0.5 or 0.0005 rad",
+            Self::Torque => "300 or 0.3 kN m",
+            Self::Speed => "1200 or 20 Hz",
+            Self::BallContact => "1.1e10 or 3.5e5 N/mm^1.5",
+            Self::RollerContact => "9.6e8 or 4.5e5 N/mm^(10/9)",
+            Self::Ratio | Self::Damping => "0.03 or 3 %",
+        }
     }
 }
 
@@ -104,8 +124,15 @@ fn split(text: &str) -> Option<(&str, &str)> {
     let digits = |byte: &u8| byte.is_ascii_digit() || *byte == b'_';
     let is = |at: usize, wanted: &[u8]| bytes.get(at).is_some_and(|byte| wanted.contains(byte));
     let whole = usize::from(is(0, b"+-"));
-    if is(0, b"0") && is(1, b"xob") {
-        return Some(text.split_at(run(2, |byte| byte.is_ascii_alphanumeric() || *byte == b'_')));
+    let in_radix: Option<fn(&u8) -> bool> = match bytes {
+        [b'0', b'x', ..] => Some(|byte| byte.is_ascii_hexdigit() || *byte == b'_'),
+        [b'0', b'o', ..] => Some(|byte| matches!(byte, b'0'..=b'7' | b'_')),
+        [b'0', b'b', ..] => Some(|byte| matches!(byte, b'0' | b'1' | b'_')),
+        _ => None,
+    };
+    if let Some(digits) = in_radix {
+        let end = run(2, digits);
+        return (end > 2).then(|| text.split_at(end));
     }
     let mut end = run(whole, digits);
     if is(end, b".") {
@@ -170,6 +197,8 @@ mod tests {
             ("  35 mm ", Quantity::Length, "35"),
             ("35mm", Quantity::Length, "35"),
             ("0x10", Quantity::Length, "0x10"),
+            ("0x10mm", Quantity::Length, "0x10"),
+            ("\u{2212}5", Quantity::Length, "-5"),
             (".5", Quantity::Length, "0.5"),
             ("5.", Quantity::Length, "5.0"),
             ("007", Quantity::Length, "7.0"),
@@ -191,6 +220,10 @@ mod tests {
             ("150 kN m/rad", Quantity::AngularStiffness, "150000.0"),
             ("150kNm/rad", Quantity::AngularStiffness, "150000.0"),
             ("150 N·m/rad", Quantity::AngularStiffness, "150"),
+            ("150 N.m / rad", Quantity::AngularStiffness, "150"),
+            ("-7000 kN", Quantity::Force, "-7e6"),
+            ("1 lbf", Quantity::Force, "4.4482216152605"),
+            ("2 kN/rad", Quantity::ForcePerRadian, "2000.0"),
             ("1500 N mm/rad", Quantity::AngularStiffness, "1.5"),
             ("250 g", Quantity::Mass, "0.25"),
             ("2 lb", Quantity::Mass, "0.90718474"),
@@ -229,6 +262,18 @@ mod tests {
             ("inf", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
             ("1,5", Quantity::Length, "write 1.5: the decimal separator is a point"),
             ("1,5 mm", Quantity::Length, "write 1.5 mm: the decimal separator is a point"),
+            ("1.234,5", Quantity::Length, "write 1234.5: the decimal separator is a point"),
+            ("1,234.5", Quantity::Length, "write 1234.5: the decimal separator is a point"),
+            ("1__0", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
+            ("_1", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
+            ("1_", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
+            ("0x", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
+            ("0b2", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
+            ("0x1G", Quantity::Length, "unknown unit `G`; accepted: mm, m, cm, um, in, ft"),
+            ("1.5.", Quantity::Length, "unknown unit `.`; accepted: mm, m, cm, um, in, ft"),
+            ("5 ^", Quantity::Length, "unknown unit `^`; accepted: mm, m, cm, um, in, ft"),
+            ("5 m m", Quantity::Length, "unknown unit `m m`; accepted: mm, m, cm, um, in, ft"),
+            ("5 m.m", Quantity::Length, "unknown unit `m.m`; accepted: mm, m, cm, um, in, ft"),
             ("1e999", Quantity::Length, "1e999 is too large for a number"),
             ("1e308 m", Quantity::Length, "1e308 is too large for a number"),
             ("5 N/m", Quantity::Length, "unknown unit `N/m`; accepted: mm, m, cm, um, in, ft"),

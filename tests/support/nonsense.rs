@@ -11,7 +11,10 @@ use bevelscope::rotor::Bending;
 pub fn assert_no_nonsense(what: &str, design: &Design) -> Result<(), String> {
     let named = |error: &SolveError| {
         let message = error.to_string();
-        assert!((20..200).contains(&message.len()) && !message.contains("NaN"), "{what}: {message}");
+        // a sentence a shaft
+        for sentence in message.split("; gear shaft: ") {
+            assert!((20..200).contains(&sentence.len()) && !sentence.contains("NaN"), "{what}: {message}");
+        }
         message
     };
     let comparison = match compare(design) {
@@ -40,7 +43,7 @@ pub fn assert_no_nonsense(what: &str, design: &Design) -> Result<(), String> {
         assert!(totals.iter().all(|figure| figure.is_finite() && *figure > 0.0), "{what}: {totals:?}");
     }
     for kind in ModelKind::ALL {
-        let model = Model::new(kind, design, &rotors);
+        let model = Model::new(kind, design, &rotors).unwrap();
         if let Ok(modes) = Modes::new(&model, 20) {
             for mode in modes.0 {
                 let shares = [mode.pinion, mode.gear].map(|s| s.lateral + s.axial + s.tilt + s.torsion);

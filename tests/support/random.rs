@@ -11,8 +11,21 @@ use bevelscope::design::{
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
+use proptest::test_runner::{RngAlgorithm, RngSeed};
 
 use super::{FRISWELL_STEEL, design, unit};
+
+/// The same designs every time.
+pub fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        rng_seed: RngSeed::Fixed(1),
+        rng_algorithm: RngAlgorithm::ChaCha,
+        failure_persistence: None,
+        max_shrink_iters: 200,
+        ..ProptestConfig::default()
+    }
+}
 
 /// How the bearings of a rotor are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

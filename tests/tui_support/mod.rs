@@ -2,15 +2,15 @@
 #![allow(dead_code, reason = "each test uses its own part")]
 #![allow(clippy::unwrap_used, clippy::format_push_string, reason = "helpers of tests")]
 
+mod shelf;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bevelscope::agreement::Agreement;
-use bevelscope::comparison::{Comparison, Observer, SolveError, Spectrum, compare_over};
+use bevelscope::comparison::{Comparison, Observer, SolveError, Spectrum};
 use bevelscope::design::Side;
-use bevelscope::design::library::{SHIPPED, VariantName};
 use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
     Hold, Mesh, MeshVectors, RotorDesign, Segment,
@@ -22,7 +22,7 @@ use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::worker::{self, EditedJob, Job};
-use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, NotSaved, view};
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
 use num_complex::Complex64;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -30,6 +30,9 @@ use ratatui::buffer::{Buffer, Cell};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::style::{Color, Modifier};
 use unicode_width::UnicodeWidthStr;
+
+#[allow(unused_imports, reason = "each test uses its own part")]
+pub use shelf::Shelf;
 
 /// The designs of [`MadeUp`], in the order of the library.
 pub const STEMS: [&str; 6] =
@@ -61,84 +64,9 @@ impl Backend for MadeUp {
     }
 }
 
-/// Design files that are kept in memory, read and solved as real ones are.
-#[derive(Debug, Default, Clone)]
-pub struct Shelf {
-    pub texts: Arc<Mutex<BTreeMap<PathBuf, String>>>,
-}
-
-impl Shelf {
-    pub fn new(files: &[(&str, &str)]) -> Self {
-        let texts = files.iter().map(|(stem, text)| (paths(&[stem])[0].clone(), (*text).to_owned())).collect();
-        Self { texts: Arc::new(Mutex::new(texts)) }
-    }
-
-    /// The designs that come with the program.
-    pub fn shipped() -> Self {
-        let files: Vec<_> =
-            SHIPPED.iter().map(|shipped| (shipped.file_name.trim_end_matches(".toml"), shipped.text)).collect();
-        Self::new(&files)
-    }
-
-    pub fn text(&self, stem: &str) -> Option<String> {
-        self.texts.lock().unwrap().get(&paths(&[stem])[0]).cloned()
-    }
-
-    pub fn stems(&self) -> Vec<String> {
-        let texts = self.texts.lock().unwrap();
-        texts.keys().map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect()
-    }
-}
-
-impl Backend for Shelf {
-    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
-        let text = self.read(path).map_err(|error| BrokenDesign { one_line: error.clone(), full_text: error })?;
-        let reading = bevelscope::design::read(&text);
-        let message = reading.errors().next().map_or(String::new(), |finding| finding.message.clone());
-        match reading.design {
-            Some(design) => Ok(design.into()),
-            None => Err(BrokenDesign { one_line: message.clone(), full_text: message }),
-        }
-    }
-
-    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
-        compare_over(design, None, observer)
-    }
-
-    fn read(&self, path: &Path) -> Result<String, String> {
-        self.texts.lock().unwrap().get(path).cloned().ok_or_else(|| "there is no such file".into())
-    }
-
-    fn save(&self, path: &Path, expected: &str, text: &str) -> Result<(), NotSaved> {
-        let mut texts = self.texts.lock().unwrap();
-        match texts.get_mut(path) {
-            Some(saved) if saved == expected => text.clone_into(saved),
-            _ => return Err(NotSaved::Changed),
-        }
-        Ok(())
-    }
-
-    fn save_variant(
-        &self,
-        original: &Path,
-        name: &VariantName,
-        text: &str,
-        note: Option<&str>,
-    ) -> Result<(PathBuf, String), String> {
-        let path = name.path_in(original.parent().unwrap());
-        let mut texts = self.texts.lock().unwrap();
-        if texts.contains_key(&path) {
-            return Err("there is a file of that name already".into());
-        }
-        let text = format!("# note: {}\n{text}", note.unwrap_or_default());
-        texts.insert(path.clone(), text.clone());
-        Ok((path, text))
-    }
-}
-
 /// Why the gear shaft of a design cannot be solved.
 pub fn not_solved(error: RotorError) -> SolveError {
-    SolveError::Rotors(RotorsError { side: Side::Gear, error })
+    SolveError::Rotors(RotorsError(vec![(Side::Gear, error)]))
 }
 
 /// The paths of a made-up library.
@@ -275,6 +203,7 @@ pub fn comparison(design: &Design) -> Comparison {
             if design.name.contains("rigid") { 3364.0 } else { 2997.0 },
         ),
         basic_agreement: agreement(10.13, 31.0, 4980.0, 0.12, 236.0),
+        caveats: Vec::new(),
     }
 }
 
@@ -357,6 +286,9 @@ impl Screen {
                 _ => Vec::new(),
             };
             let edited = if let Effect::SolveEdited(job) = &effect { Some(job.clone()) } else { None };
+            if let Effect::Keep(change) = &effect {
+                self.backend.keep(change).unwrap();
+            }
             let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
@@ -372,8 +304,7 @@ impl Screen {
                     self.perform_edited(job);
                 }
             }
-            if let Some(job) = file {
-                let message = worker::perform_file(job, &*self.backend);
+            if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
                 let effects = self.app.update(message);
                 self.carry_out(effects);
             }
@@ -385,7 +316,7 @@ impl Screen {
         match effect {
             Effect::ChangeFile(request) => Some(worker::change_file(request.clone(), &*self.backend)),
             Effect::Compare(job) => {
-                let result = Box::new(compare::perform(job, &*self.backend));
+                let result = Box::new(compare::perform(job, &*self.backend, &|| true)?);
                 Some(Message::Compared { ticket: job.ticket, result })
             }
             Effect::List => self.backend.list().map(Message::Listed),
@@ -501,7 +432,7 @@ fn named_key(name: &str) -> KeyEvent {
         "PgDn" => KeyCode::PageDown,
         "S-Tab" => KeyCode::BackTab,
         "Delete" => KeyCode::Delete,
-        "F5" => KeyCode::F(5),
+        function if function.starts_with('F') => KeyCode::F(function[1..].parse().unwrap()),
         other => {
             let letter = other.strip_prefix("Ctrl-").and_then(|rest| rest.chars().next()).unwrap();
             return KeyEvent::new(KeyCode::Char(letter), KeyModifiers::CONTROL);

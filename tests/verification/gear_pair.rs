@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use bevelscope::design::DampingModel;
-use bevelscope::model::{Coordinate, Model, ModelKind, Place, RotorModel};
+use bevelscope::model::{Coordinate, Model, ModelKind, RotorModel};
 use bevelscope::response::{Modes, Spectrum, direct_spectrum};
 use bevelscope::rotor::Motion;
 use nalgebra::{DMatrix, DVector};
@@ -23,11 +23,9 @@ fn turning(inertia: f64, radius: f64) -> RotorModel {
         stiffness: DMatrix::from_row_slice(2, 2, &[k, -k, -k, k]),
         mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[inertia, 1e-12 * inertia])),
         mesh_vector: DVector::from_row_slice(&[radius, 0.0]),
-        coordinates: vec![
-            Coordinate { place: Place::Station(0), motion: Motion::ThY },
-            Coordinate { place: Place::Drive, motion: Motion::ThY },
-        ],
+        coordinates: vec![Coordinate::Station(0, Motion::ThY), Coordinate::Drive],
         mesh_station: 0,
+        reduction: None,
     }
 }
 

@@ -5,7 +5,7 @@
 //! its stiffness.
 
 use bevelscope::design::DampingModel;
-use bevelscope::model::{Coordinate, Model, ModelKind, Place, RotorModel};
+use bevelscope::model::{Coordinate, Model, ModelKind, RotorModel};
 use bevelscope::response::Modes;
 use bevelscope::rotor::Motion;
 use nalgebra::{DMatrix, DVector};
@@ -26,11 +26,9 @@ fn star(branches: &[(f64, f64)], radius: f64) -> RotorModel {
     }
     let mut mesh_vector = DVector::zeros(n);
     mesh_vector[0] = radius;
-    let coordinates = (0..n).map(|i| {
-        let place = if i == n - 1 { Place::Drive } else { Place::Station(i) };
-        Coordinate { place, motion: Motion::ThY }
-    });
-    RotorModel { stiffness: k, mass: m, mesh_vector, coordinates: coordinates.collect(), mesh_station: 0 }
+    let coordinates =
+        (0..n).map(|i| if i == n - 1 { Coordinate::Drive } else { Coordinate::Station(i, Motion::ThY) }).collect();
+    RotorModel { stiffness: k, mass: m, mesh_vector, coordinates, mesh_station: 0, reduction: None }
 }
 
 fn frequencies(mesh_stiffness: f64) -> Vec<f64> {

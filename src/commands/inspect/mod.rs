@@ -28,9 +28,9 @@ pub struct Args {
 
 pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<Status, CommandError> {
     let loaded = input::load(&args.file.file, err)?;
-    let rotors = Rotors::new(&loaded.design)
-        .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error: SolveError::Rotors(error) })?;
-    let output = Output::new(&loaded.design, &rotors);
+    let failed = |error| CommandError::Solve { name: loaded.name.clone(), error };
+    let rotors = Rotors::new(&loaded.design).map_err(|error| failed(error.into()))?;
+    let output = Output::new(&loaded.design, &rotors).map_err(failed)?;
     match args.format {
         Format::Json => json::write(out, &output)?,
         Format::Table => write_tables(out, &output)?,
@@ -92,15 +92,15 @@ struct BearingOutput<'a> {
 }
 
 impl<'a> Output<'a> {
-    fn new(design: &'a Design, rotors: &'a Rotors) -> Self {
-        let coordinates = |kind| Model::new(kind, design, rotors).coordinates();
-        Self {
+    fn new(design: &'a Design, rotors: &'a Rotors) -> Result<Self, SolveError> {
+        let coordinates = |kind| Model::new(kind, design, rotors).map(|model| model.coordinates());
+        Ok(Self {
             design: &design.name,
-            coordinates: Coordinates { fe: coordinates(ModelKind::Fe), lumped: coordinates(ModelKind::Basic) },
+            coordinates: Coordinates { fe: coordinates(ModelKind::Fe)?, lumped: coordinates(ModelKind::Basic)? },
             mesh: mesh::MeshOutput::new(design),
             pinion: RotorOutput::new(rotors.get(Side::Pinion)),
             gear: RotorOutput::new(rotors.get(Side::Gear)),
-        }
+        })
     }
 }
 

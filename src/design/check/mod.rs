@@ -34,7 +34,7 @@ impl Checker<'_> {
 
     fn report(&self, severity: Severity, path: &KeyPath, message: String, hint: Option<&str>) {
         let (span, hint) = (Some(locate(self.root, path)), hint.map(String::from));
-        self.findings.push(Finding { severity, key_path: path.to_string(), span, message, hint });
+        self.findings.push(Finding { severity, key_path: path.clone(), span, message, hint });
     }
 }
 

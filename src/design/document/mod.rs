@@ -108,12 +108,22 @@ impl Document {
 
     /// As [`set`](Self::set), with the value in TOML; gives what changed.
     pub(super) fn put(&mut self, path: &KeyPath, value: &str) -> Result<Option<Change>, EditError> {
+        self.put_all(std::slice::from_ref(path), value)
+    }
+
+    /// The same value at several paths that have nothing to do with one another. The text is read once before and once
+    /// after, however many they are.
+    pub(super) fn put_all(&mut self, paths: &[KeyPath], value: &str) -> Result<Option<Change>, EditError> {
+        let Some(first) = paths.first() else { return Ok(None) };
         let view = self.view();
-        let path = view.tree.by_place(path);
-        let splices = put::put(&view, &path, value)?;
         let mut meant = view.tree.clone();
-        *meant.at_mut(&path).ok_or_else(|| EditError::NoPlace(path.clone()))? = Tree::read_value(value);
-        self.take_over(&splices, meant, &path)
+        let mut splices = Vec::new();
+        for path in paths {
+            let path = view.tree.by_place(path);
+            splices.extend(put::put(&view, &path, value)?);
+            *meant.at_mut(&path).ok_or_else(|| EditError::NoPlace(path.clone()))? = Tree::read_value(value);
+        }
+        self.take_over(&splices, meant, first)
     }
 
     /// As [`unset`](Self::unset); gives what changed.

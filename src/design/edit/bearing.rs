@@ -152,3 +152,19 @@ pub(super) fn matrix(steps: &Steps, bearing: &KeyPath, rows: &[[String; 6]; 6]) 
     let between = format!(",{line_break}    ");
     format!("[{line_break}    {},{line_break}]", rows.join(&between))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::{Bearing, DiagonalBearing, MatrixBearing, RigidBearing};
+
+    // A key that has another name in the schema would be left out of a new model without a word.
+    #[test]
+    fn the_keys_here_are_those_of_the_schema() {
+        let springs: Vec<&str> = DiagonalBearing::TABLE.fields.iter().map(|field| field.key).collect();
+        assert_eq!(springs, SPRINGS.map(|(key, _)| key));
+        assert!(MatrixBearing::TABLE.field(STIFFNESS).is_some());
+        assert!(RigidBearing::TABLE.field(HOLD).is_some());
+        assert!(Bearing::TABLE.field(AXIAL_SERIES).is_some());
+    }
+}

@@ -3,7 +3,7 @@
 use super::history::History;
 use super::{Edit, EditName, steps};
 use crate::design::grid::{Grid, Sheet};
-use crate::design::{Document, EditError, KeyPath, Reading, read};
+use crate::design::{Document, EditError, KeyPath, Reading, label, read};
 
 /// A text with its history. What it says is read again after every change.
 #[derive(Debug, Clone)]
@@ -48,24 +48,26 @@ impl Editor {
         let changed = !steps.changes.is_empty();
         if changed {
             self.document = steps.document;
-            self.history.push(name.clone(), steps.changes);
+            let applied = Applied { name, focus, changed };
+            self.history.push(applied.clone(), steps.changes);
             self.read_again();
+            return Ok(applied);
         }
         Ok(Applied { name, focus, changed })
     }
 
     /// Takes the last edit back: the text is byte for byte what it was before.
-    pub fn undo(&mut self) -> Option<EditName> {
-        let name = self.history.undo(&mut self.document)?;
+    pub fn undo(&mut self) -> Option<Applied> {
+        let applied = self.history.undo(&mut self.document)?;
         self.read_again();
-        Some(name)
+        Some(applied)
     }
 
     /// Makes the edit again that was taken back last.
-    pub fn redo(&mut self) -> Option<EditName> {
-        let name = self.history.redo(&mut self.document)?;
+    pub fn redo(&mut self) -> Option<Applied> {
+        let applied = self.history.redo(&mut self.document)?;
         self.read_again();
-        Some(name)
+        Some(applied)
     }
 
     /// What [`undo`](Self::undo) would take back.
@@ -83,9 +85,9 @@ impl Editor {
         self.document.text() != self.saved
     }
 
-    /// The text as it is now is in the file. The history stays.
-    pub fn mark_saved(&mut self) {
-        self.document.text().clone_into(&mut self.saved);
+    /// This text is in the file now; what is edited may have moved on since. The history stays.
+    pub fn mark_saved(&mut self, text: String) {
+        self.saved = text;
     }
 
     /// The text that was saved last.
@@ -105,6 +107,12 @@ impl Editor {
     /// A table of the design, with the findings of [`reading`](Self::reading) beside the cells.
     pub fn grid(&self, sheet: &Sheet) -> Grid {
         Grid::new(self.text(), &self.reading.findings, sheet)
+    }
+
+    /// What people call the values at some paths: `outer diameter of pinion segment 3`.
+    pub fn labels<'a>(&self, paths: impl Iterator<Item = &'a KeyPath>) -> Vec<String> {
+        let tree = self.document.tree();
+        paths.map(|path| label::of_value(&tree, path)).collect()
     }
 
     fn read_again(&mut self) {

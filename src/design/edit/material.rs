@@ -48,9 +48,8 @@ pub(super) fn rename(steps: &mut Steps, from: &str, to: &str) -> Result<KeyPath,
             steps.rename(&path(from), to)?;
         }
     }
-    for segment in segments_of(&tree, from) {
-        steps.put(&segment.key("material"), Spelled::text(to).as_str())?;
-    }
+    let naming: Vec<KeyPath> = segments_of(&tree, from).iter().map(|segment| segment.key("material")).collect();
+    steps.put_all(&naming, Spelled::text(to).as_str())?;
     Ok(path(to))
 }
 

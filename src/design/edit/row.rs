@@ -8,6 +8,13 @@ use crate::design::key_path::{KeyPath, Step};
 use crate::design::schema::{Field, Kind, Limit, Presence, Table, Written, target};
 use crate::units::Quantity;
 
+const POSITION: &str = "position_mm";
+const MASS: &str = "mass_kg";
+const LENGTH: &str = "length_mm";
+const MODEL: &str = "model";
+/// The springs of a new bearing: they carry the shaft.
+const CARRYING: [&str; 2] = ["kx_n_per_m", "kz_n_per_m"];
+
 pub(super) fn insert(steps: &mut Steps, list: &KeyPath, place: usize) -> Result<KeyPath, EditError> {
     let tree = steps.tree();
     let count = tree.at(list).map_or(0, |list| list.entries().len());
@@ -66,7 +73,7 @@ fn starting(tree: &Tree, list: &KeyPath, place: usize, table: &'static Table) ->
             let named = rows.iter().any(|row| row.get(field.key).is_some());
             named.then(|| Spelled::text(&name_by_place(rows, place, prefix, table)).as_str().into())
         }
-        (Presence::Required, _) if field.key == "position_mm" => Some(position(tree, list, place)),
+        (Presence::Required, _) if field.key == POSITION => Some(position(tree, list, place)),
         // the shaft goes on as it was
         (Presence::Required, Kind::Number(Quantity::Length, _)) => {
             Some(neighbour.and_then(|row| row.get(field.key)?.raw()).map_or_else(|| first(field), String::from))
@@ -77,9 +84,8 @@ fn starting(tree: &Tree, list: &KeyPath, place: usize, table: &'static Table) ->
     };
     let keys = table.fields.iter().filter_map(|field| Some((field.key.to_owned(), value(field)?)));
     let mut keys: Vec<(String, String)> = keys.collect();
-    if table.field("model").is_some() {
-        // springs that carry the shaft
-        keys.extend(["kx_n_per_m", "kz_n_per_m"].map(|key| (key.into(), "1.0e8".into())));
+    if table.field(MODEL).is_some() {
+        keys.extend(CARRYING.map(|key| (key.into(), "1.0e8".into())));
     }
     keys
 }
@@ -89,7 +95,7 @@ pub(super) fn first(field: &Field) -> String {
     let number = match field.kind {
         Kind::Number(Quantity::Length, _) => "50.0",
         Kind::Number(Quantity::Inertia, _) => "0.001",
-        Kind::Number(_, Limit::Any | Limit::NotNegative) if field.key != "mass_kg" => "0.0",
+        Kind::Number(_, Limit::Any | Limit::NotNegative) if field.key != MASS => "0.0",
         Kind::Number(_, Limit::Between(..)) => "0.25",
         Kind::Number(..) => "1.0",
         Kind::Whole(low, _) => return low.to_string(),
@@ -113,10 +119,29 @@ fn name_by_place(rows: &[Tree], place: usize, prefix: &str, table: &'static Tabl
 fn position(tree: &Tree, list: &KeyPath, place: usize) -> String {
     let rotor = list.split_last().map(|(rotor, _)| rotor).unwrap_or_default();
     let segments = tree.at(&rotor.key("segment")).map(Tree::entries).unwrap_or_default();
-    let length: f64 = segments.iter().filter_map(|row| row.get("length_mm")?.number()).sum();
-    let position = |place: usize| tree.at(&list.place(place).key("position_mm"))?.number();
+    let length: f64 = segments.iter().filter_map(|row| row.get(LENGTH)?.number()).sum();
+    let position = |place: usize| tree.at(&list.place(place).key(POSITION))?.number();
     let before = place.checked_sub(1).and_then(position).unwrap_or(0.0);
     let after = position(place).unwrap_or(length);
     let middle = f64::midpoint(before, after).clamp(0.0, length.max(0.0));
     format!("{:?}", (middle * 1e3).round() / 1e3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::{Bearing, Body, DiagonalBearing};
+
+    // A key that has another name in the schema would give new rows that cannot be read, or lie at 50 mm.
+    #[test]
+    fn the_keys_here_are_those_of_the_schema() {
+        for (table, keys) in [
+            (Body::TABLE, &[POSITION, MASS][..]),
+            (Bearing::TABLE, &[POSITION, MODEL][..]),
+            (crate::design::Segment::TABLE, &[LENGTH][..]),
+            (DiagonalBearing::TABLE, &CARRYING[..]),
+        ] {
+            assert!(keys.iter().all(|key| table.field(key).is_some()), "{keys:?} in {}", table.name);
+        }
+    }
 }

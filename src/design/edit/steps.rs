@@ -62,6 +62,13 @@ impl Steps {
         Ok(())
     }
 
+    /// The same value at several paths.
+    pub fn put_all(&mut self, paths: &[KeyPath], value: &str) -> Result<(), EditError> {
+        let change = self.document.put_all(paths, value)?;
+        self.changes.extend(change);
+        Ok(())
+    }
+
     pub fn remove(&mut self, path: &KeyPath) -> Result<(), EditError> {
         let change = self.document.remove(path)?;
         self.changes.extend(change);

@@ -67,6 +67,15 @@ pub enum CellKind {
 }
 
 impl CellKind {
+    /// What the number measures; nothing where it is none, or a whole one.
+    pub fn quantity(self) -> Option<Quantity> {
+        match self {
+            Self::Number(quantity, _) | Self::VectorEntry(quantity) => Some(quantity),
+            Self::MatrixEntry(row, column) => Some(matrix_quantity(row, column)),
+            _ => None,
+        }
+    }
+
     /// The words to choose from, in order; none where anything else can be typed.
     pub fn words(self) -> Vec<&'static str> {
         match self {
@@ -74,6 +83,16 @@ impl CellKind {
             Self::Model(variants) => variants.iter().map(|v| v.word).collect(),
             _ => Vec::new(),
         }
+    }
+}
+
+/// What an entry of a stiffness matrix measures: forces and moments over displacements and angles.
+pub(super) fn matrix_quantity(row: usize, column: usize) -> Quantity {
+    match (row < 3, column < 3) {
+        (true, true) => Quantity::Stiffness,
+        (true, false) => Quantity::ForcePerRadian,
+        (false, true) => Quantity::Force,
+        (false, false) => Quantity::AngularStiffness,
     }
 }
 

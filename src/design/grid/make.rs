@@ -1,5 +1,6 @@
 //! From the schema and what the text says to rows of cells.
 
+use super::cell::matrix_quantity;
 use super::{Cell, CellKind, Column, Row, Shape, Sheet, Shown};
 use crate::design::document::Tree;
 use crate::design::key_path::{KeyPath, Step};
@@ -101,7 +102,9 @@ fn cells_of_field(place: &At<'_>, field: &'static Field, in_row: bool) -> Vec<(b
         Kind::Vector(quantity) => entries((0..3).map(|i| (vec![i], unit, CellKind::VectorEntry(quantity))).collect()),
         Kind::Matrix => {
             let places = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
-            entries(places.map(|(i, j)| (vec![i, j], matrix_unit(i, j), CellKind::MatrixEntry(i, j))).collect())
+            entries(
+                places.map(|(i, j)| (vec![i, j], matrix_quantity(i, j).unit(), CellKind::MatrixEntry(i, j))).collect(),
+            )
         }
         Kind::Variant(variants) => {
             let mut cells = whole(CellKind::Model(variants));
@@ -141,16 +144,6 @@ fn chosen(place: &At<'_>, field: &Field, variants: &'static [Variant]) -> Option
 
 fn cell(column: Column, path: KeyPath, shown: Shown, kind: CellKind, required: bool) -> Cell {
     Cell { column, path, shown, kind, required, findings: Vec::new() }
-}
-
-/// Forces and moments over displacements and angles.
-pub(super) fn matrix_unit(row: usize, column: usize) -> &'static str {
-    match (row < 3, column < 3) {
-        (true, true) => "N/m",
-        (true, false) => "N/rad",
-        (false, true) => "N",
-        (false, false) => "N m/rad",
-    }
 }
 
 fn required(place: &At<'_>, field: &Field) -> bool {

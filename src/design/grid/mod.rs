@@ -8,6 +8,7 @@ mod typed;
 
 pub use cell::{Cell, CellKind, Column, Shown};
 pub use sheet::{Shape, Sheet};
+pub use typed::TypedError;
 
 use super::document::Tree;
 use super::{Finding, KeyPath};

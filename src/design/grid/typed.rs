@@ -1,11 +1,31 @@
 //! What is typed into a cell, as an edit.
 
-use super::make::matrix_unit;
+use super::cell::matrix_quantity;
 use super::{Cell, CellKind};
 use crate::design::document::Tree;
 use crate::design::{Edit, Spelled};
 use crate::text::excerpt;
-use crate::units::{Quantity, parse};
+use crate::units::{Quantity, UnitError, parse};
+
+/// Why what was typed cannot be taken. The texts are harmless to show.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum TypedError {
+    /// The value of this label must be there.
+    #[error("{0} cannot be left empty")]
+    Empty(String),
+    #[error(transparent)]
+    Number(#[from] UnitError),
+    #[error("a whole number is wanted; this is {0}")]
+    NotWhole(String),
+    #[error("a list is wanted: [\"a\", \"b\"], or a, b")]
+    NoList,
+    #[error("a list of texts is wanted: [\"a\", \"b\"], or a, b")]
+    NotTexts,
+    #[error("one of these is wanted: {}", .0.join(", "))]
+    NoWord(Vec<&'static str>),
+    #[error("any of these are wanted: {}", .0.join(", "))]
+    NoWords(Vec<&'static str>),
+}
 
 impl Edit {
     /// What was typed into a cell, as an edit. Nothing typed clears the cell, so that its default holds.
@@ -14,15 +34,15 @@ impl Edit {
     ///
     /// # Errors
     ///
-    /// A sentence that says what can be typed.
-    pub fn from_typed(cell: &Cell, typed: &str) -> Result<Self, String> {
+    /// [`TypedError`] says what can be typed.
+    pub fn from_typed(cell: &Cell, typed: &str) -> Result<Self, TypedError> {
         let typed = typed.trim();
         if typed.is_empty() {
             return clear(cell);
         }
         let value = match cell.kind {
             CellKind::Number(quantity, _) | CellKind::VectorEntry(quantity) => number(typed, quantity)?,
-            CellKind::MatrixEntry(row, column) => matrix_entry(typed, row, column)?,
+            CellKind::MatrixEntry(row, column) => number(typed, matrix_quantity(row, column))?,
             CellKind::Whole(..) => whole(typed)?,
             CellKind::Text | CellKind::Name => Spelled::text(typed),
             CellKind::Texts => texts(typed)?,
@@ -38,46 +58,33 @@ impl Edit {
     }
 }
 
-fn clear(cell: &Cell) -> Result<Edit, String> {
+fn clear(cell: &Cell) -> Result<Edit, TypedError> {
     if cell.required {
-        return Err(format!("{} cannot be left empty", cell.column.label));
+        return Err(TypedError::Empty(cell.column.label.clone()));
     }
     Ok(Edit::Remove { path: cell.path.clone() })
 }
 
-fn number(typed: &str, quantity: Quantity) -> Result<Spelled, String> {
-    let typed = parse(typed, quantity).map_err(|error| error.to_string())?;
-    Spelled::parse(&typed.text).ok_or_else(|| "a number is wanted".into())
+fn number(typed: &str, quantity: Quantity) -> Result<Spelled, TypedError> {
+    let typed = parse(typed, quantity)?;
+    let no_number = UnitError::NoNumber { unit: quantity.unit(), example: quantity.example() };
+    Spelled::parse(&typed.text).ok_or_else(|| no_number.into())
 }
 
-fn matrix_entry(typed: &str, row: usize, column: usize) -> Result<Spelled, String> {
-    match matrix_unit(row, column) {
-        "N/m" => number(typed, Quantity::Stiffness),
-        "N m/rad" => number(typed, Quantity::AngularStiffness),
-        // a force is no quantity of the file: N and kN are as N/m and kN/m
-        unit => {
-            let force = typed.strip_suffix("/rad").unwrap_or(typed).trim_end();
-            let per_metre = force.strip_suffix('N').map_or_else(|| force.to_owned(), |rest| format!("{rest}N/m"));
-            let wanted = |_| format!("a number is wanted in {unit}, e.g. -7e6 or -7000 kN");
-            number(&per_metre, Quantity::Stiffness).map_err(wanted)
-        }
-    }
-}
-
-fn whole(typed: &str) -> Result<Spelled, String> {
-    let wanted = || format!("a whole number is wanted; this is {}", excerpt(typed, 40));
+fn whole(typed: &str) -> Result<Spelled, TypedError> {
+    let wanted = || TypedError::NotWhole(excerpt(typed, 40));
     let number = Spelled::parse(typed).ok_or_else(wanted)?;
     let value = Tree::read_value(number.as_str()).number().ok_or_else(wanted)?;
     if value.fract() == 0.0 { Ok(number) } else { Err(wanted()) }
 }
 
 /// `a, b`, or a list as in the file.
-fn texts(typed: &str) -> Result<Spelled, String> {
+fn texts(typed: &str) -> Result<Spelled, TypedError> {
     if typed.starts_with('[') {
-        let list = Spelled::parse(typed).ok_or("a list is wanted: [\"a\", \"b\"], or a, b")?;
+        let list = Spelled::parse(typed).ok_or(TypedError::NoList)?;
         let tree = Tree::read_value(list.as_str());
         if tree.entries().iter().any(|entry| entry.text().is_none()) {
-            return Err("a list of texts is wanted: [\"a\", \"b\"], or a, b".into());
+            return Err(TypedError::NotTexts);
         }
         return Ok(list);
     }
@@ -85,7 +92,7 @@ fn texts(typed: &str) -> Result<Spelled, String> {
 }
 
 /// The word, or the only one that begins like that.
-fn choose(typed: &str, words: &[&'static str]) -> Result<&'static str, String> {
+fn choose(typed: &str, words: &[&'static str]) -> Result<&'static str, TypedError> {
     let typed = typed.trim_matches('"').to_lowercase();
     if let Some(word) = words.iter().find(|word| **word == typed) {
         return Ok(word);
@@ -93,13 +100,13 @@ fn choose(typed: &str, words: &[&'static str]) -> Result<&'static str, String> {
     let mut alike = words.iter().filter(|word| word.starts_with(&typed));
     match (alike.next(), alike.next()) {
         (Some(word), None) => Ok(word),
-        _ => Err(format!("one of these is wanted: {}", words.join(", "))),
+        _ => Err(TypedError::NoWord(words.to_vec())),
     }
 }
 
 /// `x z`, `xz`, `x, z`, or a list as in the file; in the order of the words.
-fn flags(typed: &str, words: &'static [&'static str]) -> Result<Spelled, String> {
-    let wanted = || format!("any of these are wanted: {}", words.join(", "));
+fn flags(typed: &str, words: &'static [&'static str]) -> Result<Spelled, TypedError> {
+    let wanted = || TypedError::NoWords(words.to_vec());
     let plain = typed.replace(['[', ']', '"', '\''], " ");
     let parts: Vec<&str> = plain.split([',', ' ', '+']).filter(|part| !part.is_empty()).collect();
     let is_word = |part: &&str| words.contains(part);

@@ -1,10 +1,19 @@
-//! Folders of designs, and the designs that come with the program.
+//! Folders of designs, the designs that come with the program, who has one open, and unsaved edits of earlier runs.
 
+mod journal;
+mod left;
+mod lock;
 mod name;
 mod trash;
 mod tree;
 mod variant;
 
+pub use journal::{
+    DISCARDED, Found, Journal, JournalError, Journals, discard as discard_journal, journals, recovery_folder,
+    remove as remove_journal, set_aside as set_journal_aside,
+};
+pub use left::{Left, LeftEdits, OnDisk, left_edits};
+pub use lock::{Holder, Locks, holder};
 pub use name::{NameError, VariantName};
 pub use trash::{TRASH, Trashed, delete, restore, trashed};
 pub use tree::{Branch, tree};
@@ -15,7 +24,6 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::load::{LoadError, Loaded, load};
 use crate::text::printable;
 
 /// A design that comes with the program.
@@ -35,20 +43,6 @@ pub const SHIPPED: &[Shipped] = &[
     Shipped { file_name: "tapered-hypoid.toml", text: include_str!("../../../designs/tapered-hypoid.toml") },
     Shipped { file_name: "turbine-generator.toml", text: include_str!("../../../designs/turbine-generator.toml") },
 ];
-
-/// One file of a library: its design, or why there is none.
-#[derive(Debug)]
-pub struct Entry {
-    pub path: PathBuf,
-    pub loaded: Result<Loaded, LoadError>,
-}
-
-impl Entry {
-    /// The file's name without `.toml`, harmless to show.
-    pub fn stem(&self) -> String {
-        printable(&self.path.file_stem().unwrap_or_default().to_string_lossy()).into_owned()
-    }
-}
 
 /// Why there is no default library.
 #[derive(Debug, thiserror::Error)]
@@ -77,12 +71,9 @@ fn folder_files(folder: &Path) -> Option<Vec<PathBuf>> {
 
 fn is_design_file(path: &Path) -> bool {
     let hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
-    !hidden && path.extension().is_some_and(|extension| extension == "toml") && !path.is_dir()
-}
-
-/// Reads every design of [`files`]; a broken one is an entry with its reason.
-pub fn load_all(paths: &[PathBuf]) -> Vec<Entry> {
-    files(paths).into_iter().map(|path| Entry { loaded: load(&path), path }).collect()
+    // a pipe would be waited for without end; a link that leads nowhere is listed, with that as its reason
+    let readable = fs::metadata(path).map_or(true, |metadata| metadata.is_file());
+    !hidden && path.extension().is_some_and(|extension| extension == "toml") && readable
 }
 
 /// The library that is used where none is named: `designs` in the current folder, else in the user's data folder, filled
@@ -101,11 +92,7 @@ pub fn default_folder() -> Result<PathBuf, LibraryError> {
 ///
 /// As [`default_folder`].
 pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<PathBuf, LibraryError> {
-    let here = current.join("designs");
-    if here.is_dir() {
-        return Ok(here);
-    }
-    let folder = data.ok_or(LibraryError::NoDataFolder)?.join("bevelscope").join("designs");
+    let folder = default_place(current, data).ok_or(LibraryError::NoDataFolder)?;
     if folder.is_dir() {
         return Ok(folder);
     }
@@ -113,6 +100,12 @@ pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<PathBuf,
         Ok(()) => Ok(folder),
         Err(source) => Err(LibraryError::Fill { folder, source }),
     }
+}
+
+/// Where [`default_folder_in`] is or would be.
+pub fn default_place(current: &Path, data: Option<&Path>) -> Option<PathBuf> {
+    let here = current.join("designs");
+    if here.is_dir() { Some(here) } else { data.map(|data| data.join("bevelscope").join("designs")) }
 }
 
 /// Writes the shipped designs beside the folder first and renames it as a whole, so there is never half a library, and

@@ -30,7 +30,7 @@ pub enum NameError {
 const MAX_NAME: usize = 100;
 
 /// Device names of Windows, with or without anything after a dot.
-const RESERVED: [&str; 4] = ["CON", "PRN", "AUX", "NUL"];
+const RESERVED: [&str; 6] = ["CON", "CONIN$", "CONOUT$", "PRN", "AUX", "NUL"];
 const RESERVED_WITH_DIGIT: [&str; 2] = ["COM", "LPT"];
 
 impl VariantName {
@@ -40,7 +40,8 @@ impl VariantName {
     ///
     /// [`NameError`] says what is wrong with it.
     pub fn new(name: &str) -> Result<Self, NameError> {
-        let name = name.strip_suffix(".toml").unwrap_or(name);
+        let ending = name.len().checked_sub(".toml".len()).and_then(|at| name.split_at_checked(at));
+        let name = ending.filter(|(_, ending)| ending.eq_ignore_ascii_case(".toml")).map_or(name, |(name, _)| name);
         let (Some(first), Some(last)) = (name.chars().next(), name.chars().next_back()) else {
             return Err(NameError::Empty);
         };
@@ -97,6 +98,7 @@ mod tests {
             assert_eq!(VariantName::new(name).unwrap().as_str(), name);
         }
         assert_eq!(VariantName::new("a.toml").unwrap().path_in(Path::new("x")), Path::new("x/a.toml"));
+        assert_eq!(VariantName::new("A.TOML").unwrap().as_str(), "A");
         assert!(VariantName::new(&"a".repeat(100)).is_ok());
     }
 
@@ -124,6 +126,7 @@ mod tests {
             ("CON", NameError::Reserved),
             ("nul", NameError::Reserved),
             ("Nul.txt", NameError::Reserved),
+            ("conin$", NameError::Reserved),
             ("com1", NameError::Reserved),
             ("LPT9.x", NameError::Reserved),
             ("COM²", NameError::Reserved),

@@ -3,9 +3,10 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::SystemTime;
 
 use crate::design::save::{SaveError, move_to_free};
+use crate::moment;
 
 /// The hidden folder, in the library's.
 pub const TRASH: &str = ".trash";
@@ -37,7 +38,7 @@ pub fn delete(path: &Path) -> Result<Trashed, SaveError> {
     let made = fs::create_dir_all(&trash);
     made.map_err(|source| SaveError::Io { path: trash.clone(), doing: "the trash cannot be made", source })?;
     let name = path.file_name().unwrap_or_default();
-    let stamp = stamp(SystemTime::now());
+    let stamp = moment::stamp(SystemTime::now());
     // several of the same name may be deleted in one second
     for number in 0..MOST_IN_A_SECOND {
         let mut trashed = std::ffi::OsString::from(format!("{stamp}.{number:03}."));
@@ -110,25 +111,9 @@ fn strip(name: &std::ffi::OsStr) -> Option<std::ffi::OsString> {
     Some(name.to_str()?.get(STAMP..)?.into())
 }
 
-/// `20250131T120000Z`, which sorts by time.
-fn stamp(time: SystemTime) -> String {
-    let seconds = time.duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    let (days, second) = (seconds / 86_400, seconds % 86_400);
-    let (year, month, day) = date(days);
-    format!("{year:04}{month:02}{day:02}T{:02}{:02}{:02}Z", second / 3600, second / 60 % 60, second % 60)
-}
-
-/// Year, month and day of the Gregorian calendar, from days since 1970-01-01 (Hinnant, "chrono-compatible low-level date
-/// algorithms", `civil_from_days`).
-fn date(days: u64) -> (u64, u64, u64) {
-    let days = days + 719_468;
-    let (era, day_of_era) = (days / 146_097, days % 146_097);
-    let year = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year + year / 4 - year / 100);
-    let month = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * month + 2) / 5 + 1;
-    let month = if month < 10 { month + 3 } else { month - 9 };
-    (year + era * 400 + u64::from(month <= 2), month, day)
+/// A time as people read it: `2025-01-31 12:00:00`, UTC.
+pub(super) fn shown(time: SystemTime) -> String {
+    when(&moment::stamp(time))
 }
 
 /// A stamp as people read it.
@@ -142,19 +127,9 @@ fn when(stamp: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::time::Duration;
 
-    // Dates by `date -u -d @SECONDS`.
     #[test]
-    fn stamps_are_dates() {
-        for (seconds, expected) in [
-            (0, "19700101T000000Z"),
-            (951_782_400, "20000229T000000Z"),
-            (1_709_251_199, "20240229T235959Z"),
-            (4_107_542_400, "21000301T000000Z"),
-        ] {
-            assert_eq!(stamp(UNIX_EPOCH + Duration::from_secs(seconds)), expected);
-        }
+    fn stamps_are_read_as_dates() {
         assert_eq!(when("20240229T235959Z.000.a.toml"), "2024-02-29 23:59:59");
     }
 

@@ -92,8 +92,8 @@ pub fn duplicate(path: &Path, name: &VariantName) -> Result<PathBuf, SaveError> 
 }
 
 /// After a renaming: every design of the folder whose `parent` is `from` gets `to`, all else in it is kept. Gives the files
-/// that name it, each with what came of it.
-pub fn follow_parent(folder: &Path, from: &str, to: &VariantName) -> Vec<(PathBuf, Result<(), VariantError>)> {
+/// that name it, each with its text now or with why it stayed as it was.
+pub fn follow_parent(folder: &Path, from: &str, to: &VariantName) -> Vec<(PathBuf, Result<String, VariantError>)> {
     let parent = KeyPath::root().key("parent");
     let follow = |path: PathBuf| {
         let mut document = Document::parse(fs::read_to_string(&path).ok()?).ok()?;
@@ -102,7 +102,11 @@ pub fn follow_parent(folder: &Path, from: &str, to: &VariantName) -> Vec<(PathBu
         }
         let set = document.set(&parent, to.as_str()).map_err(VariantError::from);
         let saved = set.and_then(|()| Ok(save(&path, document.text())?));
-        Some((path, saved))
+        Some((path, saved.map(|()| document.text().to_owned())))
     };
-    files(&[folder.to_path_buf()]).into_iter().filter_map(follow).collect()
+    // the current folder is listed as `.`, and its files are named without it
+    let here = folder.as_os_str().is_empty();
+    let listed = files(&[if here { PathBuf::from(".") } else { folder.to_path_buf() }]).into_iter();
+    let listed = listed.filter_map(|path| if here { path.file_name().map(PathBuf::from) } else { Some(path) });
+    listed.filter_map(follow).collect()
 }

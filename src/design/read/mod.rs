@@ -105,7 +105,7 @@ fn is_newer(root: &DeTable<'_>, findings: &Collector) -> bool {
         let message = format!("written by a newer version: this one reads format {FORMAT}");
         findings.push(Finding {
             severity: Severity::Error,
-            key_path: "format".into(),
+            key_path: KeyPath::root().key("format"),
             span: Some(value.span()),
             message,
             hint: Some("update bevelscope to read this file".into()),

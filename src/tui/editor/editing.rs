@@ -7,20 +7,21 @@ use super::cursor::Cursor;
 use super::form::Form;
 use super::solving::{Ghost, Solving, same_mechanics};
 use super::typing::{Choice, Entry, Input};
-use super::view::{Place, Tab, View};
+use super::view::{Place, Tab, View, is_unknown};
 use crate::design::grid::{Cell, Shown};
-use crate::design::{Applied, Design, Edit, EditError, EditName, Editor, Finding, KeyPath, Side};
+use crate::design::{
+    Applied, Design, Document, Edit, EditError, EditName, Editor, Finding, KeyPath, Severity, Side, Spelled,
+};
 use crate::text::printable;
 use crate::tui::app::Scroll;
 use crate::tui::keymap::Mode;
+use crate::tui::recovery::Look;
 
 /// A design with its edits, kept while the program runs.
 #[derive(Debug)]
 pub struct Editing {
     pub path: PathBuf,
     pub editor: Editor,
-    /// The text that is in the file, as far as is known.
-    saved: String,
     saved_design: Option<Arc<Design>>,
     /// What the text says; nothing while it has errors.
     pub design: Option<Arc<Design>>,
@@ -36,9 +37,9 @@ pub struct Editing {
     pub notice: Option<Notice>,
     /// A text is on its way to the file.
     pub is_saving: bool,
-    /// Where to look for each edit that can be undone, and redone.
-    done: Vec<KeyPath>,
-    undone: Vec<KeyPath>,
+    /// What became of the file outside the program, as far as is known.
+    pub look: Look,
+    pub(in crate::tui) is_looking: bool,
 }
 
 /// What lies over the table and takes the keys.
@@ -75,7 +76,6 @@ impl Editing {
         let (tab, side) = (Tab::Segments, Side::Pinion);
         let mut editing = Self {
             path,
-            saved: editor.text().to_owned(),
             saved_design: None,
             design: None,
             last_design: None,
@@ -89,8 +89,8 @@ impl Editing {
             solving: Solving::default(),
             notice: None,
             is_saving: false,
-            done: Vec::new(),
-            undone: Vec::new(),
+            look: Look::default(),
+            is_looking: false,
         };
         editing.take_in_text();
         editing.saved_design = editing.design.clone();
@@ -110,16 +110,74 @@ impl Editing {
     }
 
     pub fn is_modified(&self) -> bool {
-        self.editor.text() != self.saved
+        self.editor.is_modified()
     }
 
     /// The text that the file had when it was read or written last.
     pub fn saved_text(&self) -> &str {
-        &self.saved
+        self.editor.saved_text()
+    }
+
+    /// What that text says; nothing if it has errors.
+    pub(super) fn saved_design(&self) -> Option<&Arc<Design>> {
+        self.saved_design.as_ref()
     }
 
     pub fn findings(&self) -> &[Finding] {
         &self.editor.reading().findings
+    }
+
+    /// All that is wrong or unusual: the findings, and last why the design cannot be solved.
+    pub fn problems(&self) -> Vec<Finding> {
+        let refusal = self.design.as_ref().and_then(|design| self.solving.failure(design));
+        let refusal = refusal.map(|reason| Finding {
+            severity: Severity::Error,
+            // what is not held lacks a bearing
+            key_path: Side::BOTH
+                .into_iter()
+                .find(|side| reason.starts_with(side.name()))
+                .map_or(KeyPath::root(), |side| KeyPath::root().key(side.name()).key("bearing")),
+            span: None,
+            message: format!("cannot be solved: {reason}"),
+            hint: None,
+        });
+        self.findings().iter().cloned().chain(refusal).collect()
+    }
+
+    /// Problems in the words of the tables, with the key path behind.
+    pub fn sentences(&self, problems: &[Finding]) -> Vec<String> {
+        let labels = self.editor.labels(problems.iter().map(|one| &one.key_path));
+        let sentence = |(finding, label): (&Finding, String)| {
+            let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
+            let (severity, path) = (finding.severity.word(), finding.shown_path());
+            match path.as_str() {
+                "" => format!("{severity} {}{hint}", finding.message),
+                path if path == label => format!("{severity} {path}: {}{hint}", finding.message),
+                path => format!("{severity} {label}: {}{hint} [{path}]", finding.message),
+            }
+        };
+        problems.iter().zip(labels).map(sentence).collect()
+    }
+
+    /// Those about a table as a whole, or about keys in it that no table has, as places in the list of findings.
+    pub fn findings_of_table(&self, table: &KeyPath) -> Vec<usize> {
+        let is_about = |path: &KeyPath| {
+            path == table || is_unknown(path) && path.split_last().is_some_and(|(around, _)| around == *table)
+        };
+        let findings = self.findings().iter().enumerate();
+        findings.filter(|(_, finding)| is_about(&finding.key_path)).map(|(at, _)| at).collect()
+    }
+
+    /// The worst of what is wrong in a table.
+    pub fn worst_in(&self, tab: Tab) -> Option<Severity> {
+        let findings = self.findings().iter();
+        let here = findings.filter(|finding| Tab::of(&finding.key_path).0 == tab);
+        here.map(|finding| finding.severity).min()
+    }
+
+    /// How many of these are errors.
+    pub fn errors(&self) -> usize {
+        self.problems().iter().filter(|finding| finding.severity == Severity::Error).count()
     }
 
     /// `pinion bearings`, `materials`
@@ -178,11 +236,9 @@ impl Editing {
     }
 
     /// Makes an edit. Where the cursor goes is left to the caller.
-    pub(super) fn apply(&mut self, edit: &Edit) -> Result<Applied, String> {
-        let applied = self.editor.apply(edit).map_err(|error| error.to_string())?;
+    pub(in crate::tui) fn apply(&mut self, edit: &Edit) -> Result<Applied, EditError> {
+        let applied = self.editor.apply(edit)?;
         if applied.changed {
-            self.done.push(applied.focus.clone());
-            self.undone.clear();
             self.take_in_text();
         }
         Ok(applied)
@@ -190,32 +246,30 @@ impl Editing {
 
     /// Makes an edit and says why it cannot be made.
     pub(super) fn make(&mut self, edit: &Edit) -> Option<Applied> {
-        self.apply(edit).map_err(|error| self.warn(error)).ok()
+        self.apply(edit).map_err(|error| self.warn(error.to_string())).ok()
     }
 
     pub fn undo(&mut self) {
-        let Some(name) = self.editor.undo() else { return self.say("nothing to undo") };
-        let focus = self.done.pop();
-        self.step_taken("undo", &name, focus.clone());
-        self.undone.extend(focus);
+        match self.editor.undo() {
+            Some(applied) => self.step_taken("undo", &applied),
+            None => self.say("nothing to undo"),
+        }
     }
 
     pub fn redo(&mut self) {
-        let Some(name) = self.editor.redo() else { return self.say("nothing to redo") };
-        let focus = self.undone.pop();
-        self.step_taken("redo", &name, focus.clone());
-        self.done.extend(focus);
+        match self.editor.redo() {
+            Some(applied) => self.step_taken("redo", &applied),
+            None => self.say("nothing to redo"),
+        }
     }
 
-    fn step_taken(&mut self, what: &str, name: &EditName, focus: Option<KeyPath>) {
+    fn step_taken(&mut self, what: &str, Applied { name, focus, .. }: &Applied) {
         let entry = match self.layer {
             Some(Layer::Matrix(entry)) => Some((entry, self.cursor().row)),
             _ => None,
         };
         self.take_in_text();
-        if let Some(focus) = focus {
-            self.go_to(&focus);
-        }
+        self.go_to(focus);
         // the matrix stays open while its entries change
         if let Some((entry, row)) = entry.filter(|(_, row)| self.cursor().row == *row && self.on_matrix()) {
             self.cursor_mut().row = row;
@@ -232,12 +286,11 @@ impl Editing {
     /// Takes over that a text is in the file now.
     pub fn saved(&mut self, text: String) {
         if self.editor.text() == text {
-            self.editor.mark_saved();
             self.saved_design.clone_from(&self.design);
         } else {
             self.saved_design = crate::design::read(&text).design.map(Arc::new);
         }
-        self.saved = text;
+        self.editor.mark_saved(text);
         self.solving.ghost = None;
         self.keep_ghost();
     }
@@ -250,14 +303,27 @@ impl Editing {
             && let Ok(editor) = Editor::new(text.clone())
         {
             self.editor = editor;
-            (self.done, self.undone) = (Vec::new(), Vec::new());
             self.take_in_text();
         }
         self.path = path;
+        self.look = Look::default();
+        self.is_looking = false;
         self.layer = None;
         // what is under way would come for the other file
         self.solving.pending = None;
         self.saved(text);
+    }
+
+    /// Names another parent if it is this one that is named.
+    pub fn follow_parent(&mut self, from: &str, to: &str) {
+        let path = KeyPath::root().key("parent");
+        let named = Document::parse(self.editor.text()).ok().and_then(|document| {
+            let item = document.get(&path)?;
+            item.as_str().map(str::to_owned)
+        });
+        if named.as_deref() == Some(from) {
+            self.make(&Edit::Set { path, value: Spelled::text(to) });
+        }
     }
 
     /// The solution as it is now, if it is that of the saved state, is what later ones are compared with.

@@ -1,12 +1,12 @@
 //! Name and note of a variant while they are typed.
 
-use super::line::Line;
-use crate::design::library::VariantName;
+use crate::design::library::{NameError, VariantName};
+use crate::tui::text_field::TextField;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Form {
-    pub name: Line,
-    pub note: Line,
+    pub name: TextField,
+    pub note: TextField,
     /// Whether the note has the cursor.
     pub on_note: bool,
     /// Why the variant was not saved.
@@ -16,11 +16,11 @@ pub struct Form {
 impl Form {
     /// A name to begin with.
     pub fn new(name: String) -> Self {
-        Self { name: Line::new(name), note: Line::default(), on_note: false, error: None }
+        Self { name: TextField::new(name), note: TextField::default(), on_note: false, error: None }
     }
 
     /// The line that is typed into.
-    pub fn line(&mut self) -> &mut Line {
+    pub fn line(&mut self) -> &mut TextField {
         self.error = None;
         if self.on_note { &mut self.note } else { &mut self.name }
     }
@@ -29,8 +29,8 @@ impl Form {
     ///
     /// # Errors
     ///
-    /// A sentence.
-    pub fn checked_name(&self) -> Result<VariantName, String> {
-        VariantName::new(self.name.text().trim()).map_err(|error| error.to_string())
+    /// [`NameError`]
+    pub fn checked_name(&self) -> Result<VariantName, NameError> {
+        VariantName::new(self.name.text().trim())
     }
 }

@@ -1,8 +1,10 @@
 //! What a key does to the design in sight, by what it goes to.
 
-use super::{Editing, Form, Layer, Line, List, Tab, Target};
-use crate::design::{KeyPath, Side, Towards};
+use super::view::is_unknown;
+use super::{Editing, Form, Layer, List, Tab, Target};
+use crate::design::{Edit, KeyPath, Side, Towards};
 use crate::tui::action::Action;
+use crate::tui::text_field::TextField;
 
 pub(super) fn act_on_table(editing: &mut Editing, action: Action) {
     let tab = |tab: Tab, editing: &mut Editing| editing.show(tab, editing.side);
@@ -111,7 +113,7 @@ pub(super) fn act_on_choice(editing: &mut Editing, action: Action) {
 }
 
 pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
-    let count = editing.findings().len();
+    let problems = editing.problems();
     let Some(Layer::Findings(list)) = &mut editing.layer else { return };
     let page = list.scroll.page();
     let by = match action {
@@ -121,23 +123,32 @@ pub(super) fn act_on_findings(editing: &mut Editing, action: Action) {
         Action::PageDown => page,
         Action::First => isize::MIN,
         Action::Last => isize::MAX,
+        Action::RemoveKey => {
+            let cursor = list.cursor;
+            let path = problems.get(cursor).map(|finding| finding.key_path.clone());
+            match path.filter(is_unknown) {
+                Some(path) => drop(editing.make(&Edit::Remove { path })),
+                None => editing.say("a table has this one: it is changed there"),
+            }
+            return;
+        }
         Action::GoToFinding => {
             let cursor = list.cursor;
-            let path = editing.findings().get(cursor).map(|finding| finding.key_path.clone());
-            match path.as_deref().map(str::parse::<KeyPath>) {
-                Some(Ok(path)) => editing.go_to(&path),
-                Some(Err(_)) => editing.say("this one is about the whole file"),
+            let path = problems.get(cursor).map(|finding| finding.key_path.clone());
+            match path {
+                Some(path) if path == KeyPath::root() => editing.say("this one is about the whole file"),
+                Some(path) => editing.go_to(&path),
                 None => editing.layer = None,
             }
             return;
         }
         _ => return,
     };
-    list.cursor = list.cursor.saturating_add_signed(by).min(count.saturating_sub(1));
+    list.cursor = list.cursor.saturating_add_signed(by).min(problems.len().saturating_sub(1));
 }
 
 /// The line that is typed into.
-pub(super) fn line(editing: &mut Editing) -> Option<&mut Line> {
+pub(super) fn line(editing: &mut Editing) -> Option<&mut TextField> {
     if let Some(input) = &mut editing.input {
         input.error = None;
         return Some(&mut input.line);
@@ -149,17 +160,18 @@ pub(super) fn line(editing: &mut Editing) -> Option<&mut Line> {
 }
 
 fn act_on_line(editing: &mut Editing, action: Action) {
-    let Some(line) = line(editing) else { return };
-    match action {
-        Action::TextLeft => line.left(),
-        Action::TextRight => line.right(),
-        Action::TextStart => line.home(),
-        Action::TextEnd => line.end(),
-        Action::DeleteCharacter => line.backspace(),
-        Action::DeleteForward => line.delete(),
-        Action::DeleteWord => line.delete_word(),
-        Action::ClearText => line.delete_to_start(),
-        _ => {}
+    if let Some(input) = &mut editing.input {
+        match action {
+            Action::DeleteCharacter | Action::DeleteForward | Action::DeleteWord => {
+                if input.is_selected {
+                    return input.replace_selected();
+                }
+            }
+            _ => input.is_selected = false,
+        }
+    }
+    if let (Some(line), Some(edit)) = (line(editing), TextField::edit_of(action)) {
+        edit(line);
     }
 }
 

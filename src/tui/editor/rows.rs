@@ -31,7 +31,8 @@ impl Editing {
         let Some(path) = self.view.row(row).filter(|_| is_list).map(|row| row.path.clone()) else {
             return self.say("no row of a list");
         };
-        if let Some(applied) = self.make(&edit(path)).filter(|applied| applied.changed) {
+        // rows that are alike change places without a trace in the text
+        if let Some(applied) = self.make(&edit(path)) {
             let column = self.cursor().column;
             self.go_to(&applied.focus);
             self.cursor_mut().column = column;

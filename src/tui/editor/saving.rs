@@ -8,6 +8,7 @@ use crate::tui::app::App;
 use crate::tui::backend::NotSaved;
 use crate::tui::keymap::Mode;
 use crate::tui::message::{Effect, Ending};
+use crate::tui::recovery::FileState;
 use crate::tui::worker::FileJob;
 
 impl App {
@@ -26,8 +27,8 @@ impl App {
             return Vec::new();
         }
         editing.is_saving = true;
-        let (path, expected) = (editing.path.clone(), editing.saved_text().to_owned());
-        vec![Effect::File(FileJob::Save { path, expected, text: editing.editor.text().to_owned() })]
+        let (path, expected) = (editing.path.clone(), editing.saved_text().as_bytes().to_vec());
+        vec![Effect::File(FileJob::Save { path, expected: Some(expected), text: editing.editor.text().to_owned() })]
     }
 
     pub(in crate::tui) fn saved(&mut self, path: &Path, text: String, result: Result<(), NotSaved>) -> Vec<Effect> {
@@ -37,21 +38,25 @@ impl App {
         match result {
             Ok(()) => {
                 editing.saved(text);
-                let errors = editing.editor.reading().errors().count();
+                editing.look.state = FileState::Same;
+                let errors = editing.errors();
                 match errors {
                     0 => editing.say(format!("saved {name}")),
                     _ => editing.say(format!("saved {name}, with {errors} {}", plural(errors, "error"))),
                 }
                 let unsaved = editing.is_modified();
                 if let Some(row) = self.library.row_mut(path) {
-                    (row.unsaved, row.stale) = (unsaved, true);
+                    row.unsaved = unsaved;
                 }
             }
+            Err(NotSaved::Changed(on_disk)) => {
+                editing.warn("not saved: the file has changed on disk");
+                editing.look.state = if on_disk.is_some() { FileState::Changed } else { FileState::Gone };
+                self.conflicting(path, on_disk);
+                return Vec::new();
+            }
             Err(error) => {
-                editing.warn(match &error {
-                    NotSaved::Changed => "not saved, changed on disk: S saves it as a variant".into(),
-                    NotSaved::Failed(error) => format!("not saved: {error}"),
-                });
+                editing.warn(format!("not saved: {error}"));
                 if self.editors.open().is_none_or(|editing| editing.path != path) {
                     self.complain(format!("{name} not saved: {error}"));
                 }
@@ -60,12 +65,11 @@ impl App {
             }
         }
         if self.editors.is_leaving || self.mode == Mode::Leave {
-            if self.editors.unsaved().next().is_none() {
-                return vec![Effect::Quit(Ending::Quit)];
-            }
-            return Vec::new();
+            return self.leave_if_saved().into_iter().collect();
         }
-        self.fill().into_iter().collect()
+        let mut effects = self.show_saved(path);
+        effects.extend(self.fill());
+        effects
     }
 
     pub(super) fn save_form(&mut self) -> Vec<Effect> {
@@ -82,7 +86,7 @@ impl App {
                 vec![Effect::File(FileJob::SaveVariant { original, name, text, note })]
             }
             Err(error) => {
-                form.error = Some(error);
+                form.error = Some(error.to_string());
                 form.on_note = false;
                 Vec::new()
             }

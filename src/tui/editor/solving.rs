@@ -57,6 +57,10 @@ impl Ghost {
         }
     }
 
+    pub(super) fn traces(&self) -> Arc<Traces> {
+        Arc::clone(&self.traces)
+    }
+
     /// The finite element model's curve at an axis and a number of columns.
     pub fn columns(&mut self, axis: FrequencyAxis, width: usize) -> &Envelope {
         if !self.columns.as_ref().is_some_and(|(of, count, _)| *of == axis && *count == width) {

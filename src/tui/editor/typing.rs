@@ -2,20 +2,37 @@
 
 use super::Editing;
 use super::editing::Layer;
-use super::line::Line;
 use super::view::Place;
-use crate::design::Edit;
-use crate::design::grid::CellKind;
+use crate::design::grid::{Cell, CellKind, TypedError};
+use crate::design::{Edit, EditError};
 use crate::text::printable;
+use crate::tui::text_field::TextField;
+use crate::units::Quantity;
 
 /// A value while it is typed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
     pub target: Target,
-    pub line: Line,
-    before: String,
+    pub line: TextField,
+    /// The value as it was; nothing where it was dropped, so that an empty text is typed too.
+    before: Option<String>,
+    /// Nothing was typed yet: the next letter takes the place of the number.
+    pub is_selected: bool,
     /// Why it was not taken.
     pub error: Option<String>,
+}
+
+/// Why what was typed is not taken.
+#[derive(Debug, thiserror::Error)]
+enum NotTaken {
+    #[error("a name is wanted")]
+    NoName,
+    #[error("nothing to edit here")]
+    NoCell,
+    #[error(transparent)]
+    Typed(#[from] TypedError),
+    #[error(transparent)]
+    Edit(#[from] EditError),
 }
 
 /// What is typed into.
@@ -53,7 +70,7 @@ impl Editing {
         let cursor = self.cursor();
         if matches!(self.layer, Some(Layer::Matrix(_))) {
             if let Some(cell) = self.entry() {
-                self.input = Some(Input::new(Target::Entry, cell.shown.text(), replace));
+                self.input = Some(Input::number(Target::Entry, cell.shown.text(), replace));
             }
             return;
         }
@@ -72,6 +89,9 @@ impl Editing {
                     CellKind::Flags(_) => {
                         self.layer = Some(Layer::Choice(Choice::several(cell.kind.words(), cell.shown.text())));
                     }
+                    CellKind::Number(..) | CellKind::Whole(..) | CellKind::VectorEntry(_) => {
+                        self.input = Some(Input::number(Target::Cell, cell.shown.text(), replace));
+                    }
                     _ => self.input = Some(Input::new(Target::Cell, cell.shown.text(), replace)),
                 }
             }
@@ -87,11 +107,12 @@ impl Editing {
                 CellKind::Number(..) | CellKind::Whole(..) | CellKind::VectorEntry(_) | CellKind::MatrixEntry(..)
             )
         });
-        if is_number {
-            self.edit_cell(true);
-            if let Some(input) = &mut self.input {
-                input.line.insert(letter.encode_utf8(&mut [0; 4]));
-            }
+        if !is_number {
+            return self.say("no number is typed here");
+        }
+        self.edit_cell(true);
+        if let Some(input) = &mut self.input {
+            input.line.insert(letter.encode_utf8(&mut [0; 4]));
         }
     }
 
@@ -107,7 +128,7 @@ impl Editing {
                 }
             }
             CellKind::Flags(_) => self.edit_cell(false),
-            _ => self.say("this cell is typed into: Enter"),
+            _ => self.say("this cell has no words to choose from: a value is typed into it"),
         }
     }
 
@@ -128,10 +149,35 @@ impl Editing {
     fn write(&mut self, text: &str) {
         let edit = self.cell().map(|cell| Edit::from_typed(cell, text));
         match edit {
-            Some(Ok(edit)) => drop(self.make(&edit)),
-            Some(Err(error)) => self.warn(error),
+            Some(Ok(edit)) => {
+                let before = self.stiffnesses();
+                if self.make(&edit).is_some() && matches!(edit, Edit::SetModel { .. }) {
+                    match before.saturating_sub(self.stiffnesses()) {
+                        0 => {}
+                        1 => self.say(format!("{text} has no place for 1 stiffness: it is gone until this is undone")),
+                        more => {
+                            self.say(format!("{text} has no place for {more} stiffnesses: gone until this is undone"));
+                        }
+                    }
+                }
+            }
+            Some(Err(error)) => self.warn(error.to_string()),
             None => {}
         }
+    }
+
+    /// How many springs and couplings the row under the cursor has.
+    fn stiffnesses(&self) -> usize {
+        let cells = self.view.row(self.cursor().row).map_or(&[][..], |row| &row.cells);
+        let is_spring = |cell: &&Cell| match cell.kind {
+            CellKind::MatrixEntry(row, column) => row <= column,
+            CellKind::Number(Quantity::Stiffness | Quantity::AngularStiffness, _) => true,
+            _ => false,
+        };
+        let is_there = |cell: &&Cell| {
+            cell.shown.is_written() && cell.shown.text().replace('_', "").parse::<f64>().is_ok_and(|value| value != 0.0)
+        };
+        cells.iter().filter(is_spring).filter(is_there).count()
     }
 
     pub fn clear_cell(&mut self) {
@@ -145,17 +191,17 @@ impl Editing {
         }
         match Edit::from_typed(cell, typed) {
             Ok(edit) => drop(self.make(&edit)),
-            Err(error) => self.warn(error),
+            Err(error) => self.warn(error.to_string()),
         }
     }
 
     /// Takes what was typed. False keeps the input open, with the reason.
     pub fn accept(&mut self) -> bool {
         let Some(mut input) = self.input.take() else { return true };
-        if input.line.text() == input.before && input.target != Target::NewMaterial {
+        if input.before.as_deref() == Some(input.line.text()) && input.target != Target::NewMaterial {
             return true;
         }
-        let result = self.edit_of(&input).and_then(|edit| self.apply(&edit));
+        let result = self.edit_of(&input).and_then(|edit| Ok(self.apply(&edit)?));
         match result {
             Ok(applied) => {
                 if input.target == Target::NewMaterial {
@@ -170,24 +216,24 @@ impl Editing {
                 true
             }
             Err(error) => {
-                input.error = Some(error);
+                input.error = Some(error.to_string());
                 self.input = Some(input);
                 false
             }
         }
     }
 
-    fn edit_of(&self, input: &Input) -> Result<Edit, String> {
+    fn edit_of(&self, input: &Input) -> Result<Edit, NotTaken> {
         let typed = input.line.text();
         let name = typed.trim();
         let free_name = || match name {
-            "" => Err("a name is wanted".to_owned()),
+            "" => Err(NotTaken::NoName),
             _ => Ok(name.to_owned()),
         };
         match input.target {
             Target::Cell | Target::Entry => {
-                let cell = self.target().ok_or("nothing to edit here")?;
-                Edit::from_typed(cell, typed)
+                let cell = self.target().ok_or(NotTaken::NoCell)?;
+                Ok(Edit::from_typed(cell, typed)?)
             }
             Target::MaterialName => {
                 let from = self.view.row(self.cursor().row).map(|row| row.label.clone()).unwrap_or_default();
@@ -200,10 +246,21 @@ impl Editing {
 
 impl Input {
     pub(super) fn new(target: Target, text: &str, replace: bool) -> Self {
-        let line = Line::new(if replace { "" } else { text });
-        // an empty text that was asked for is typed, not left as it was
-        let before = if replace { "\u{0}".into() } else { text.to_owned() };
-        Self { target, line, before, error: None }
+        let line = TextField::new(if replace { "" } else { text });
+        let before = (!replace).then(|| text.to_owned());
+        Self { target, line, before, is_selected: false, error: None }
+    }
+
+    /// A number in sight, that the first letter replaces: a unit typed behind it would else be taken for its own.
+    fn number(target: Target, text: &str, replace: bool) -> Self {
+        Self { is_selected: !replace && !text.is_empty(), ..Self::new(target, text, replace) }
+    }
+
+    /// Something is to be typed, or deleted: of what is selected nothing stays.
+    pub(super) fn replace_selected(&mut self) {
+        if std::mem::take(&mut self.is_selected) {
+            self.line = TextField::default();
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::keys::{act_on_choice, act_on_findings, act_on_form, act_on_input, act_on_matrix, act_on_table, line};
-use super::{Editing, Pending, Solution};
+use super::{Editing, Input, Pending, Solution};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome, Picture};
 use crate::tui::keymap::Mode;
@@ -40,8 +40,7 @@ impl App {
             Ok(mut editing) => {
                 editing.solving.current = self.solution_at_hand(&path);
                 editing.keep_ghost();
-                self.editors.all.retain(|other| other.path != path);
-                self.editors.all.push(editing);
+                self.editors.put(editing);
                 self.show_editor(path)
             }
             Err(error) => {
@@ -54,14 +53,16 @@ impl App {
 
     /// What the explorer shows of the design already.
     fn solution_at_hand(&self, path: &Path) -> Option<Solution> {
-        let row = self.library.selected().filter(|row| row.path == path)?;
-        let Some(Outcome::Solved { summary, picture }) = &self.detail.outcome else { return None };
-        let design = Arc::new(row.loaded.as_ref()?.design.clone());
+        if self.detail.path.as_deref() != Some(path) {
+            return None;
+        }
+        let Some(Outcome::Solved { loaded, summary, picture }) = &self.detail.outcome else { return None };
+        let design = Arc::new(loaded.design.clone());
         let picture = Picture::new(Arc::clone(&picture.traces));
         Some(Solution { design, summary: (**summary).clone(), picture })
     }
 
-    fn show_editor(&mut self, path: PathBuf) -> Vec<Effect> {
+    pub(in crate::tui) fn show_editor(&mut self, path: PathBuf) -> Vec<Effect> {
         self.notice = None;
         self.editors.opening = None;
         self.editors.open = Some(path);
@@ -86,13 +87,26 @@ impl App {
             editing.solving.pending = None;
             editing.notice = None;
         }
-        let left = self.editors.open.take();
+        self.editors.open = None;
         self.mode = Mode::Library;
-        let stale = self.library.selected().is_some_and(|row| row.stale);
-        if self.detail.pending || stale || self.detail.path != left {
+        // the selection was not followed meanwhile
+        let effects = self.follow_selection();
+        if !effects.is_empty() {
+            return effects;
+        }
+        if self.detail.pending || self.is_outdated() {
             return self.solve_selected();
         }
         vec![Effect::CancelSolve]
+    }
+
+    /// Whether what the explorer shows is not of the file as it was read last.
+    fn is_outdated(&self) -> bool {
+        let Some(row) = self.library.selected() else { return false };
+        match (&self.detail.outcome, &row.loaded) {
+            (Some(Outcome::Solved { loaded, .. }), Some(now)) => row.stale || loaded.design != now.design,
+            _ => true,
+        }
     }
 
     /// Asks for the solution of the design as it is now, if it is wanted and not under way.
@@ -108,11 +122,13 @@ impl App {
 
     fn solve_edited(&mut self, asked: bool) -> Vec<Effect> {
         let ticket = self.ticket();
+        let list = self.keys.names(Mode::Table, self.theme.glyphs.ascii).of(Action::Findings);
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
         let Some(design) = editing.design.clone() else {
             if asked {
                 let errors = editing.editor.reading().errors().count();
-                editing.warn(format!("not solved: {errors} {} in the design (f lists them)", plural(errors, "error")));
+                let word = plural(errors, "error");
+                editing.warn(format!("not solved: {errors} {word} in the design ({list} lists them)"));
             }
             return self.drop_outdated();
         };
@@ -155,6 +171,7 @@ impl App {
             return None;
         }
         let mode = self.mode;
+        let solve = self.keys.names(mode, self.theme.glyphs.ascii).of(Action::Solve);
         let editing = self.editors.open_mut()?;
         editing.notice = None;
         match action {
@@ -172,7 +189,7 @@ impl App {
                     editing.say("nothing is being solved");
                     return Some(Vec::new());
                 }
-                editing.say("stopped solving: = starts again");
+                editing.say(format!("stopped solving: {solve} starts again"));
                 return Some(self.drop_outdated());
             }
             Action::Help
@@ -183,7 +200,12 @@ impl App {
             | Action::Suspend
             | Action::SaveAll
             | Action::DiscardAll
+            | Action::Recover
             | Action::Filter
+            | Action::CycleMarker
+            | Action::ToggleBackground
+            | Action::Copy
+            | Action::CopyPath
             | Action::Reread => return None,
             _ => match mode {
                 Mode::Cell => act_on_input(editing, action),
@@ -198,7 +220,7 @@ impl App {
     }
 
     /// The text may have changed.
-    pub(super) fn after_edit(&mut self) -> Vec<Effect> {
+    pub(in crate::tui) fn after_edit(&mut self) -> Vec<Effect> {
         self.follow_editor();
         let Some(editing) = self.editors.open() else { return Vec::new() };
         let is_typed = editing.input.is_some();
@@ -211,7 +233,7 @@ impl App {
     pub(in crate::tui) fn type_in_editor(&mut self, letter: char) -> Vec<Effect> {
         let mode = self.mode;
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
-        if matches!(mode, Mode::Table | Mode::Matrix) && "-+.09".contains(letter) {
+        if matches!(mode, Mode::Table | Mode::Matrix) && (letter.is_ascii_digit() || "-+.".contains(letter)) {
             editing.notice = None;
             editing.type_number(letter);
         }
@@ -220,7 +242,12 @@ impl App {
     }
 
     pub(in crate::tui) fn paste_in_editor(&mut self, text: &str) -> Vec<Effect> {
-        if let Some(line) = self.editors.open_mut().and_then(line) {
+        let editing = self.editors.open_mut();
+        let line = editing.and_then(|editing| {
+            editing.input.iter_mut().for_each(Input::replace_selected);
+            line(editing)
+        });
+        if let Some(line) = line {
             line.insert(text);
         }
         Vec::new()
@@ -236,7 +263,9 @@ impl App {
 
     fn toggle_live(&mut self) -> Vec<Effect> {
         self.editors.live = !self.editors.live;
-        let text = if self.editors.live { "each edit is solved" } else { "live solving off: = solves" };
+        let solve = self.keys.names(self.mode, self.theme.glyphs.ascii).of(Action::Solve);
+        let text =
+            if self.editors.live { "each edit is solved".into() } else { format!("live solving off: {solve} solves") };
         if let Some(editing) = self.editors.open_mut() {
             editing.say(text);
         }

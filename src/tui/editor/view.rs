@@ -1,9 +1,14 @@
 //! Which tables there are, and the one in sight as rows and columns of cells.
 
-use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
-use crate::design::{Editor, KeyPath, Side, Step};
+use unicode_width::UnicodeWidthStr;
 
-/// The tables of a design, as the number keys show them.
+use super::shown_text;
+use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
+use crate::design::schema::target;
+use crate::design::{Editor, KeyPath, Side, Step};
+use crate::tui::action::Action;
+
+/// The tables of a design, in the order of their keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tab {
     Segments,
@@ -38,6 +43,20 @@ impl Tab {
             Self::Analysis => "analysis",
             Self::Materials => "materials",
             Self::Design => "design",
+        }
+    }
+
+    /// What shows it.
+    pub fn action(self) -> Action {
+        match self {
+            Self::Segments => Action::Segments,
+            Self::Bearings => Action::Bearings,
+            Self::Bodies => Action::Bodies,
+            Self::Mesh => Action::Mesh,
+            Self::Drives => Action::Drives,
+            Self::Analysis => Action::Analysis,
+            Self::Materials => Action::Materials,
+            Self::Design => Action::Design,
         }
     }
 
@@ -92,6 +111,8 @@ pub struct ViewColumn {
     pub key: &'static str,
     pub label: String,
     pub unit: &'static str,
+    /// Columns of the screen that the longest of its values takes
+    pub longest: usize,
 }
 
 /// What a place of the table holds.
@@ -122,6 +143,8 @@ pub struct View {
     /// Empty where each row has a single cell of its own.
     pub columns: Vec<ViewColumn>,
     pub shape: Shape,
+    /// Columns of the screen that the longest label of a row takes
+    pub longest_label: usize,
 }
 
 impl View {
@@ -139,17 +162,17 @@ impl View {
                 rows.extend(places.map(|places| ViewRow { grid, row, places }));
             }
         }
-        Self { grids, rows, columns: Vec::new(), shape: Shape::Single }
+        Self { grids, rows, columns: Vec::new(), shape: Shape::Single, longest_label: 0 }
     }
 
     fn table(grids: Vec<Grid>, shape: Shape) -> Self {
         let mut columns: Vec<ViewColumn> = Vec::new();
         if shape == Shape::Named {
-            columns.push(ViewColumn { key: "", label: "name".into(), unit: "" });
+            columns.push(ViewColumn { key: "", label: "name".into(), unit: "", longest: 0 });
         }
         let named = columns.len();
         for column in grids.iter().flat_map(|grid| &grid.columns) {
-            columns.push(ViewColumn { key: column.key, label: column.label.clone(), unit: column.unit });
+            columns.push(ViewColumn { key: column.key, label: column.label.clone(), unit: column.unit, longest: 0 });
         }
         let mut rows = Vec::new();
         for (grid, table) in grids.iter().enumerate() {
@@ -168,7 +191,7 @@ impl View {
                         .position(|column| column.key == cell.column.key && column.label == label)
                         .map_or(columns.len(), |at| at + named);
                     if column == columns.len() {
-                        columns.push(ViewColumn { key: cell.column.key, label: label.into(), unit });
+                        columns.push(ViewColumn { key: cell.column.key, label: label.into(), unit, longest: 0 });
                     }
                     places.resize(places.len().max(column + 1), None);
                     places[column] = Some(place);
@@ -180,7 +203,21 @@ impl View {
         for row in &mut rows {
             row.places.resize(count, None);
         }
-        Self { grids, rows, columns, shape }
+        let mut view = Self { grids, rows, columns, shape, longest_label: 0 };
+        view.measure();
+        view
+    }
+
+    /// Once for each text, and not for each frame: a design may have thousands of rows.
+    fn measure(&mut self) {
+        let rows = 0..self.rows.len();
+        let longest = |column: usize| {
+            let shown = rows.clone().filter_map(|row| self.shown(row, column));
+            shown.map(|shown| shown_text(&shown).width()).max().unwrap_or(0)
+        };
+        let longest: Vec<usize> = (0..self.columns.len()).map(longest).collect();
+        self.longest_label = rows.filter_map(|row| self.row(row)).map(|row| row.label.width()).max().unwrap_or(0);
+        self.columns.iter_mut().zip(longest).for_each(|(column, longest)| column.longest = longest);
     }
 
     /// Whether each row is one value of a single table.
@@ -293,8 +330,16 @@ impl View {
                 return Some((row, column));
             }
         }
-        None
+        // a table that is turned around is at its first value, and so is a key that it should not have
+        let around = path.split_last().map(|(around, _)| around).filter(|_| is_unknown(path));
+        let table = around.as_ref().unwrap_or(path);
+        (0..self.rows.len()).find(|&row| self.row(row).is_some_and(|line| line.path == *table)).map(|row| (row, None))
     }
+}
+
+/// Whether no table has the key.
+pub fn is_unknown(path: &KeyPath) -> bool {
+    target(path).is_none()
 }
 
 /// Does `path` go on from `above`?

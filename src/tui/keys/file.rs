@@ -14,7 +14,7 @@
 use toml::de::{DeTable, DeValue};
 
 use super::{Bound, Key, Keys};
-use crate::design::{Finding, Severity, did_you_mean};
+use crate::design::{Finding, KeyPath, Severity, did_you_mean};
 use crate::tui::action::{ACTIONS, Action};
 use crate::tui::keymap::{self, Mode};
 
@@ -23,9 +23,15 @@ const ALL: &str = "all";
 /// In place of an action: the key does nothing.
 const NONE: &str = "none";
 
-/// Actions without which one is lost: where they had a key they keep one.
-const ESSENTIAL: [Action; 7] =
-    [Action::Quit, Action::Help, Action::Back, Action::Palette, Action::Accept, Action::SaveAll, Action::DiscardAll];
+/// Actions without which one is lost in any mode.
+const ESSENTIAL: [Action; 4] = [Action::Quit, Action::Help, Action::Back, Action::Palette];
+
+/// Whether an action that has a key in a mode must keep one: what the palette does not offer there can be had in no other
+/// way. What is the same in every mode can be done in another one.
+fn must_keep_a_key(mode: Mode, action: Action) -> bool {
+    let everywhere = || Mode::ALL.into_iter().all(|mode| keymap::is_known(mode, action));
+    ESSENTIAL.contains(&action) || !(keymap::is_known(mode, Action::Palette) || everywhere())
+}
 
 /// A file's keys over those of the program.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,7 +91,7 @@ impl Reader {
     fn error(&mut self, span: Span, message: impl Into<String>, hint: Option<String>) {
         self.findings.push(Finding {
             severity: Severity::Error,
-            key_path: String::new(),
+            key_path: KeyPath::root(),
             span: Some(span),
             message: message.into(),
             hint,
@@ -165,9 +171,9 @@ impl Reader {
             let keys = applied(&self.lines, defaults);
             let reached =
                 |keys: &Keys, mode, action| keys.bound.iter().any(|bound| bound.mode == mode && bound.action == action);
-            let needed = Mode::ALL.into_iter().flat_map(|mode| ESSENTIAL.map(|action| (mode, action)));
+            let needed = defaults.bound.iter().map(|bound| (bound.mode, bound.action));
             let lost = needed
-                .filter(|&(mode, action)| reached(defaults, mode, action) && !reached(&keys, mode, action))
+                .filter(|&(mode, action)| must_keep_a_key(mode, action) && !reached(&keys, mode, action))
                 .find_map(|(mode, action)| {
                     let taken = |bound: &&Bound| bound.mode == mode && bound.action == action;
                     let takes =
@@ -175,6 +181,11 @@ impl Reader {
                     self.lines.iter().rposition(takes).map(|at| (at, mode, action))
                 });
             let Some((at, mode, action)) = lost else { return keys };
+            if self.lines[at].general && !ESSENTIAL.contains(&action) {
+                // in all other modes it does what is meant
+                self.lines[at].modes.retain(|other| *other != mode);
+                continue;
+            }
             let line = self.lines.remove(at);
             let message = format!("this would leave no key for `{}` in [{}]", action.name(), mode.name());
             self.error(line.span, message, Some("the line is left out; bind another key to it first".into()));

@@ -58,19 +58,33 @@ impl Keys {
         bound.map(|bound| bound.key.shown(ascii)).collect()
     }
 
-    /// The keys of an action in any of the modes, each once.
-    pub fn anywhere(&self, modes: &[Mode], action: Action, ascii: bool) -> Vec<String> {
-        let mut keys: Vec<String> = Vec::new();
-        for key in modes.iter().flat_map(|&mode| self.of(mode, action, ascii)) {
-            if !keys.contains(&key) {
-                keys.push(key);
-            }
-        }
-        keys
+    /// The names of the keys in a mode, for texts.
+    pub fn names(&self, mode: Mode, ascii: bool) -> KeyNames<'_> {
+        KeyNames { keys: self, mode, ascii }
     }
 
     /// All keys.
     pub fn bound(&self) -> &[Bound] {
         &self.bound
+    }
+}
+
+/// What texts call the keys of a mode.
+#[derive(Debug, Clone, Copy)]
+pub struct KeyNames<'a> {
+    keys: &'a Keys,
+    mode: Mode,
+    ascii: bool,
+}
+
+impl KeyNames<'_> {
+    /// The first key of an action, if it has one.
+    pub fn key(&self, action: Action) -> Option<String> {
+        self.keys.of(self.mode, action, self.ascii).into_iter().next()
+    }
+
+    /// The first key of an action, or how the palette finds it.
+    pub fn of(&self, action: Action) -> String {
+        self.key(action).unwrap_or_else(|| format!(":{}", action.name()))
     }
 }

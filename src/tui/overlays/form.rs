@@ -13,6 +13,7 @@ use ratatui::layout::{Position, Rect};
 use crate::text::{cut, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::editor::Editing;
 use crate::tui::files::Purpose;
 use crate::tui::keymap::Mode;
 use crate::tui::library::Row;
@@ -29,9 +30,14 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         Purpose::Duplicate => "Copy",
     };
     let stem = Row::new(form.path.clone()).stem;
-    let (style, text) = match app.checked_form() {
+    let (style, text) = match form.checked(&app.library) {
         _ if form.pending => (theme.faint, format!("working{}", theme.glyphs.ellipsis)),
-        Ok(_) => (theme.faint, "in the same folder; .toml is added".to_owned()),
+        Ok(_) => {
+            let unsaved =
+                form.purpose == Purpose::Duplicate && app.editors.get(&form.path).is_some_and(Editing::is_modified);
+            let without = if unsaved { "; without unsaved edits" } else { "" };
+            (theme.faint, format!("in the same folder; .toml is added{without}"))
+        }
         Err(error) => (theme.error, format!("{} {error}", theme.glyphs.broken)),
     };
     let lines = wrap(&text, usize::from(area.width.min(WIDTH).saturating_sub(4)));
@@ -50,8 +56,7 @@ pub fn render_question(app: &App, area: Rect, buffer: &mut Buffer) {
     let row = app.library.row(path);
     let stem = Row::new(path.clone()).stem;
     let ascii = theme.glyphs.ascii;
-    let back = app.keys.of(Mode::Library, Action::RestoreDeleted, ascii).into_iter().next();
-    let back = back.unwrap_or_else(|| format!(":{}", Action::RestoreDeleted.name()));
+    let back = app.keys.names(Mode::Library, ascii).of(Action::RestoreDeleted);
     let variants = match row.map_or(0, |row| app.library.variants(row)) {
         0 => String::new(),
         1 => "\n1 variant names it as its parent.".into(),

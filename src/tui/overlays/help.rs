@@ -14,6 +14,7 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use crate::text::{cut, printable};
+use crate::tui::action::Action;
 use crate::tui::app::App;
 use crate::tui::help::HelpLine;
 use crate::tui::keymap::Mode;
@@ -48,7 +49,9 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
         buffer.set_stringn(text.x + 1, text.y, "nothing has these letters in it", usize::from(text.width), theme.faint);
     }
     if let Some(position) = app.help_scroll.position() {
-        let left = vec![format!("lines {position}, / searches, Esc closes"), format!("lines {position}"), position];
+        let keys = app.keys.names(Mode::Help, theme.glyphs.ascii);
+        let how = format!("{} searches, {} closes", keys.of(Action::Filter), keys.of(Action::Back));
+        let left = vec![format!("lines {position}, {how}"), format!("lines {position}"), position];
         panel::bottom(window, buffer, &Title { left, right: Vec::new() }, true, &theme);
     }
     let prompt = Rect { y: text.bottom(), height: inner.height - text.height, ..inner };

@@ -4,7 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::text::wrap;
+use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::keymap::Mode;
 use crate::tui::widgets::panel::{self, Title};
 
 /// Draws the messages over `area`.
@@ -19,7 +21,8 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) {
         buffer.set_stringn(inner.x + 1, y, line, usize::from(inner.width.saturating_sub(1)), theme.fe);
     }
     if let Some(position) = app.messages.scroll.position() {
-        let left = vec![format!("lines {position}, Esc closes"), position];
+        let back = app.keys.names(Mode::Messages, theme.glyphs.ascii).of(Action::Back);
+        let left = vec![format!("lines {position}, {back} closes"), position];
         panel::bottom(window, buffer, &Title { left, right: Vec::new() }, true, &theme);
     }
 }

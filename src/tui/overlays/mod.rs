@@ -1,9 +1,12 @@
 //! What lies over a screen: windows that take the keys until they are closed.
 
+pub mod changes;
+pub mod conflict;
 pub mod form;
 pub mod help;
 pub mod messages;
 pub mod palette;
+pub mod recovery;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -14,6 +17,7 @@ use super::keymap::Mode;
 use super::text_field::TextField;
 use super::theme::Theme;
 use super::widgets::leave;
+use super::widgets::text_line::prompted;
 
 /// Draws all windows over the body of a screen, the lowest first, and returns where the cursor stands, if something is typed.
 pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
@@ -29,6 +33,8 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             Mode::Confirm => form::render_question(app, area, buffer),
             Mode::Messages => messages::render(app, area, buffer),
             Mode::Leave => leave::render(app, area, buffer),
+            Mode::Recovery => recovery::render(app, area, buffer),
+            Mode::Conflict => conflict::render(app, area, buffer),
             // screens, and what the editor draws itself
             _ => {}
         }
@@ -51,13 +57,7 @@ pub fn window(area: Rect, width: u16, height: u16, buffer: &mut Buffer) -> Rect 
 }
 
 /// Draws a prompt and what is being typed into one line; returns where the cursor stands.
-pub fn typed(prompt: &str, field: &TextField, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Option<Position> {
-    if area.is_empty() {
-        return None;
-    }
-    let (x, y) = buffer.set_stringn(area.x, area.y, prompt, usize::from(area.width), theme.key);
-    let room = usize::from(area.right().saturating_sub(x));
-    let (shown, column) = field.shown(room, theme.glyphs.ellipsis);
-    buffer.set_stringn(x, y, shown, room, Style::new());
-    Some(Position::new((x + column as u16).min(area.right() - 1), y))
+fn typed(prompt: &str, field: &TextField, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Option<Position> {
+    let drawn = prompted((prompt, theme.key), (field, Style::new()), theme, area, buffer);
+    drawn.map(|(cursor, _)| cursor)
 }

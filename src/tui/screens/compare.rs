@@ -29,7 +29,7 @@ use crate::tui::compare::{CompareView, Compared};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::canvas::{Canvas, Pen};
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::plot::{AXIS_ROWS, Dash, GUTTER, Range, curve_width, draw_curve};
+use crate::tui::widgets::plot::{AXIS_ROWS, GUTTER, Range, curve_width, draw_curve};
 use crate::tui::widgets::{figures, footer, header, spectrum};
 
 /// The fewest rows that a spectrum is drawn in, with its axis.
@@ -85,13 +85,8 @@ fn title(view: &CompareView) -> Title<'static> {
 }
 
 fn plot_title(view: &CompareView, theme: &Theme) -> Title<'static> {
-    let [fe, enhanced, _] = theme.glyphs.samples;
-    // the letters of the curves, where there are no dots
-    let [a, b] = if theme.glyphs.ascii {
-        ["a A", "b B"].map(str::to_owned)
-    } else {
-        [format!("{fe} A"), format!("{enhanced} B")]
-    };
+    let [a, b] = theme.marker.samples_of_two();
+    let (a, b) = (format!("{a} A"), format!("{b} B"));
     let long = "FE dynamic mesh force, dB re 1 N";
     let rms = view.result.as_ref().and_then(|result| result.fe_rms_db);
     let mut left: Vec<String> = rms.map(|rms| format!("{long}, {rms:.2} dB RMS apart")).into_iter().collect();
@@ -189,7 +184,7 @@ fn render_plot(view: &mut CompareView, theme: &Theme, area: Rect, buffer: &mut B
     if plot.is_empty() {
         return;
     }
-    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (dots, _) = theme.marker.dots();
     let Some(overlaid) = view.prepare(usize::from(plot.width), dots) else {
         let text = if view.result.is_some() { " neither design has a solution" } else { "" };
         buffer.set_stringn(area.x, area.y, text, usize::from(area.width), theme.faint);
@@ -198,12 +193,9 @@ fn render_plot(view: &mut CompareView, theme: &Theme, area: Rect, buffer: &mut B
     let range = Range { low: overlaid.range.0, high: overlaid.range.1 };
     spectrum::draw_levels(range, theme, plot, buffer);
     spectrum::draw_frequencies(&overlaid.axis, theme, plot, buffer);
-    let dashed = if theme.glyphs.ascii { Dash { on: 2, off: 2 } } else { Dash { on: 6, off: 4 } };
-    let pens = [
-        (Dash { on: 1, off: 0 }, Pen { style: theme.fe, letter: 'a' }),
-        (dashed, Pen { style: theme.enhanced, letter: 'b' }),
-    ];
-    let mut canvas = Canvas::new(plot.width, plot.height, theme.glyphs.ascii);
+    let [solid, dashed, _] = theme.marker.dashes();
+    let pens = [(solid, Pen { style: theme.fe, letter: 'a' }), (dashed, Pen { style: theme.enhanced, letter: 'b' })];
+    let mut canvas = Canvas::new(plot.width, plot.height, theme.marker);
     for (curve, (dash, pen)) in overlaid.curves.iter().zip(pens) {
         draw_curve(&mut canvas, curve, range, dash, pen);
     }

@@ -16,10 +16,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
 use crate::text::printable;
+use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
 use crate::tui::library::RowState;
-use crate::tui::widgets::canvas::Canvas;
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::{difference_strip, figures, footer, header, library, plot, side_view, spectrum, text_pane};
 
@@ -65,10 +65,12 @@ fn render_left(app: &mut App, area: Rect, buffer: &mut Buffer) {
 fn render_right(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
     let focused = app.mode == Mode::Text;
+    let next_pane = app.keys.names(Mode::Library, theme.glyphs.ascii).of(Action::NextPane);
+    let how = (!focused).then_some(next_pane.as_str());
     match &mut app.detail.outcome {
         Some(Outcome::Failed { title, text }) => {
             let (title, text) = (*title, std::mem::take(text));
-            text_pane::render((title, &text, theme.fe), &mut app.detail.text_scroll, focused, &theme, area, buffer);
+            text_pane::render((title, &text, theme.fe), &mut app.detail.text_scroll, how, &theme, area, buffer);
             if let Some(Outcome::Failed { text: place, .. }) = &mut app.detail.outcome {
                 *place = text;
             }
@@ -76,19 +78,19 @@ fn render_right(app: &mut App, area: Rect, buffer: &mut Buffer) {
         Some(Outcome::Solved { .. }) => render_spectra(app, area, buffer),
         None => {
             let (title, text) = without_result(app);
-            text_pane::render((title, &text, theme.fe), &mut app.detail.text_scroll, false, &theme, area, buffer);
+            text_pane::render((title, &text, theme.fe), &mut app.detail.text_scroll, how, &theme, area, buffer);
         }
     }
 }
 
 fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
-    let Some(Outcome::Solved { picture, summary }) = &mut app.detail.outcome else { return };
+    let Some(Outcome::Solved { picture, summary, .. }) = &mut app.detail.outcome else { return };
     let inner = panel::frame(area, buffer, &spectrum::title(&theme, area.width), false, &theme);
     let strip_height = (inner.height * 3 / 10).clamp(3, 7) | 1;
     let upper = Rect { height: inner.height.saturating_sub(strip_height + 1), ..inner };
     let strip = Rect { y: upper.bottom() + 1, height: strip_height, ..inner };
-    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (dots, _) = theme.marker.dots();
     picture.prepare(usize::from(plot::curve_width(inner)), dots);
     spectrum::render(picture, summary.enhanced.agreement_limit_hz, &theme, upper, buffer);
     panel::divider(area, buffer, upper.bottom(), &difference_strip::title(&theme), &theme);
@@ -105,13 +107,16 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
 /// What the right side says where there is neither a result nor an error.
 fn without_result(app: &App) -> (&'static str, String) {
     let folder = printable(&app.shown_as);
+    let keys = app.keys.names(Mode::Library, app.theme.glyphs.ascii);
     if app.library.is_empty() {
         let text = format!(
             "There is no design in {folder}.\n\n\
              A design is a file NAME.toml: a pinion and a gear, each a shaft with its segments, bodies, bearings and its \
              drive, and the mesh between them. bevelscope solves it with finite elements and with two lumped models, and \
              shows up to which frequency the lumped ones can be trusted.\n\n\
-             Put a design there and press R, or quit with q and name another folder:\n\n    bevelscope FOLDER"
+             Put a design there and press {}, or quit with {} and name another folder:\n\n    bevelscope FOLDER",
+            keys.of(Action::Reread),
+            keys.of(Action::Quit)
         );
         return ("No designs", text);
     }
@@ -119,7 +124,11 @@ fn without_result(app: &App) -> (&'static str, String) {
         let filter = printable(app.library.filter());
         return (
             "No match",
-            format!("None of the {} designs matches \"{filter}\".\n\nEsc drops the filter.", app.library.len()),
+            format!(
+                "None of the {} designs matches \"{filter}\".\n\n{} drops the filter.",
+                app.library.len(),
+                keys.of(Action::Back)
+            ),
         );
     }
     let read = app.library.selected().is_some_and(|row| row.loaded.is_some());

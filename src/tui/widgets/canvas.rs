@@ -1,21 +1,16 @@
-//! A picture of dots: braille, or letters where there is only ASCII.
-//!
-//! ```text
-//! one cell:   1 4      ASCII:  one dot a cell,
-//!             2 5              shown as the letter
-//!             3 6              of the pen
-//!             7 8
-//! ```
+//! A picture of dots, drawn with the characters of a [`Marker`].
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
 
+use crate::tui::marker::Marker;
+
 /// What a curve is drawn with. A cell has one colour only: the pen that came last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pen {
     pub style: Style,
-    /// Stands for the dots where there is only ASCII.
+    /// Stands for the dots where the marker is letters.
     pub letter: char,
 }
 
@@ -23,33 +18,26 @@ pub struct Pen {
 pub struct Canvas {
     width: usize,
     height: usize,
-    ascii: bool,
+    marker: Marker,
+    /// Bit 2 y + x is the dot in column x, row y of a cell.
     cells: Vec<(u8, Option<Pen>)>,
 }
 
-/// Bit of the dot in column `x`, row `y` of a braille character.
-const DOTS: [[u8; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
-
 impl Canvas {
     /// An empty picture of `width` by `height` cells.
-    pub fn new(width: u16, height: u16, ascii: bool) -> Self {
+    pub fn new(width: u16, height: u16, marker: Marker) -> Self {
         let (width, height) = (usize::from(width), usize::from(height));
-        Self { width, height, ascii, cells: vec![(0, None); width * height] }
-    }
-
-    /// Dots in one cell, across and down.
-    pub fn dots_per_cell(ascii: bool) -> (usize, usize) {
-        if ascii { (1, 1) } else { (2, 4) }
+        Self { width, height, marker, cells: vec![(0, None); width * height] }
     }
 
     /// Dots across.
     pub fn dots_wide(&self) -> usize {
-        self.width * Self::dots_per_cell(self.ascii).0
+        self.width * self.marker.dots().0
     }
 
     /// Dots down.
     pub fn dots_high(&self) -> usize {
-        self.height * Self::dots_per_cell(self.ascii).1
+        self.height * self.marker.dots().1
     }
 
     /// Sets a dot, counted from the top left; what lies outside is left out.
@@ -57,9 +45,9 @@ impl Canvas {
         if x >= self.dots_wide() || y >= self.dots_high() {
             return;
         }
-        let (across, down) = Self::dots_per_cell(self.ascii);
+        let (across, down) = self.marker.dots();
         if let Some(cell) = self.cells.get_mut(y / down * self.width + x / across) {
-            *cell = (cell.0 | DOTS[x % across][y % down], Some(pen));
+            *cell = (cell.0 | 1 << (2 * (y % down) + x % across), Some(pen));
         }
     }
 
@@ -76,8 +64,7 @@ impl Canvas {
             let Some(pen) = pen else { continue };
             let (x, y) = (area.x + (at % self.width) as u16, area.y + (at / self.width) as u16);
             if let Some(cell) = buffer.cell_mut((x, y)) {
-                let shown =
-                    if self.ascii { pen.letter } else { char::from_u32(0x2800 + u32::from(*dots)).unwrap_or(' ') };
+                let shown = self.marker.character(*dots).unwrap_or(pen.letter);
                 // the band behind a curve may be dimmed, the curve is not
                 cell.set_char(shown).set_style(Style { sub_modifier: Modifier::DIM, ..pen.style });
             }
@@ -89,8 +76,8 @@ impl Canvas {
 mod tests {
     use super::*;
 
-    fn drawn(ascii: bool, dots: &[(usize, usize)]) -> String {
-        let mut canvas = Canvas::new(2, 1, ascii);
+    fn drawn(marker: Marker, dots: &[(usize, usize)]) -> String {
+        let mut canvas = Canvas::new(2, 1, marker);
         for &(x, y) in dots {
             canvas.set(x, y, Pen { style: Style::new(), letter: 'F' });
         }
@@ -99,11 +86,17 @@ mod tests {
         buffer.content().iter().map(ratatui::buffer::Cell::symbol).collect()
     }
 
+    // the dots of U+2800 to U+28FF and the quadrants of U+2596 to U+259F, as the Unicode code charts draw them
     #[test]
     fn dots_are_where_unicode_puts_them() {
-        assert_eq!(drawn(false, &[(0, 0), (3, 3)]), "⠁⢀");
-        assert_eq!(drawn(false, &[(0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (1, 2)]), "⡾ ");
-        assert_eq!(drawn(true, &[(1, 0)]), " F");
-        assert_eq!(drawn(false, &[(99, 0), (0, 99)]), "  ");
+        assert_eq!(drawn(Marker::Braille, &[(0, 0), (3, 3)]), "⠁⢀");
+        assert_eq!(drawn(Marker::Braille, &[(0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (1, 2)]), "⡾ ");
+        assert_eq!(drawn(Marker::Blocks, &[(0, 0), (3, 1)]), "▘▗");
+        assert_eq!(drawn(Marker::Blocks, &[(0, 1), (1, 0), (2, 0), (2, 1)]), "▞▌");
+        assert_eq!(drawn(Marker::Points, &[(0, 0), (1, 1)]), "',");
+        assert_eq!(drawn(Marker::Points, &[(1, 0), (1, 1)]), " |");
+        assert_eq!(drawn(Marker::Dots, &[(1, 0)]), " •");
+        assert_eq!(drawn(Marker::Letters, &[(1, 0)]), " F");
+        assert_eq!(drawn(Marker::Braille, &[(99, 0), (0, 99)]), "  ");
     }
 }

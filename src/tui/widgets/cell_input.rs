@@ -9,8 +9,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use unicode_width::UnicodeWidthStr;
 
+use super::text_line::bracketed;
 use crate::text::{cut, printable, wrap};
-use crate::tui::editor::{Input, Line};
+use crate::tui::editor::Input;
 use crate::tui::theme::Theme;
 
 /// Narrowest box, so that there is room for a unit.
@@ -21,21 +22,15 @@ pub fn render(input: &Input, cell: Rect, theme: &Theme, area: Rect, buffer: &mut
     let width = cell.width.max(NARROWEST).min(area.width);
     let x = cell.x.min(area.right().saturating_sub(width));
     let place = Rect { x, y: cell.y, width, height: 1 };
-    let cursor = draw_line(&input.line, theme, place, buffer);
+    let cursor = bracketed(&input.line, theme, place, buffer);
+    if input.is_selected {
+        let text = input.line.text().width().min(usize::from(width.saturating_sub(2)));
+        buffer.set_style(Rect { x: x + 1, width: text as u16, ..place }.intersection(area), theme.selected);
+    }
     if let Some(error) = &input.error {
         draw_error(error, place, theme, area, buffer);
     }
     cursor
-}
-
-/// Draws a line in brackets; returns where the cursor stands.
-pub fn draw_line(line: &Line, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Position {
-    let room = usize::from(area.width).saturating_sub(2);
-    let (shown, cursor) = line.window(room);
-    let gap = " ".repeat(room.saturating_sub(shown.width()));
-    buffer.set_stringn(area.x, area.y, format!("[{shown}{gap}]"), usize::from(area.width), theme.title);
-    let x = area.x + (1 + cursor as u16).min(area.width.saturating_sub(1));
-    Position::new(x, area.y)
 }
 
 /// Beside the box if there is room, else below or above it.

@@ -7,7 +7,8 @@
 //! │ -20│                       ⢸⣿⡇               │
 //! ```
 //!
-//! Two dotted lines are the tolerance. Within it a bar is one dot wide, beyond it two: so it shows without colour.
+//! Two dotted lines are the tolerance. Within it a bar is one dot wide, beyond it two; where there is one dot a cell, a
+//! letter says which, or of a bar within it only the end is drawn: so it shows without colour.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -16,6 +17,7 @@ use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
 use super::plot::{GUTTER, curve_width};
 use crate::tui::app::Picture;
+use crate::tui::marker::Marker;
 use crate::tui::theme::Theme;
 use crate::tui::traces::TOLERANCE_DB;
 
@@ -33,13 +35,12 @@ pub fn title(theme: &Theme) -> Title<'static> {
 /// Draws the bars into the inside of the frame.
 pub fn render(picture: &Picture, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let plot = Rect { x: area.x + GUTTER.min(area.width), width: curve_width(area), ..area };
-    let ascii = theme.glyphs.ascii;
-    let (across, down) = Canvas::dots_per_cell(ascii);
+    let (across, down) = theme.marker.dots();
     let Some(columns) = picture.columns(usize::from(plot.width), across).filter(|_| !plot.is_empty()) else { return };
     let largest = picture.traces.largest_difference;
     let limit = LIMITS.into_iter().find(|limit| *limit >= largest).unwrap_or(LARGEST);
 
-    let mut canvas = Canvas::new(plot.width, plot.height, ascii);
+    let mut canvas = Canvas::new(plot.width, plot.height, theme.marker);
     let zero = usize::from(plot.height / 2) * down + down / 2;
     // the same scale on both sides of zero
     let reach = zero.min(canvas.dots_high() - 1 - zero);
@@ -61,6 +62,12 @@ pub fn render(picture: &Picture, theme: &Theme, area: Rect, buffer: &mut Buffer)
         // what is beyond the tolerance never vanishes in the zero line
         let dots = if beyond { dots.clamp(1, reach.max(1)) } else { dots.min(reach) };
         let (top, bottom) = if *difference > 0.0 { (zero.saturating_sub(dots), zero) } else { (zero, zero + dots) };
+        let ends_only = across == 1 && !beyond && theme.marker != Marker::Letters;
+        let (top, bottom) = match (ends_only, *difference > 0.0) {
+            (false, _) => (top, bottom),
+            (true, true) => (top, top),
+            (true, false) => (bottom, bottom),
+        };
         for dot in 0..across {
             if dot == 0 || beyond {
                 canvas.set_column(x * across + dot, top, bottom, pen);

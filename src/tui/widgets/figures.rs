@@ -1,7 +1,7 @@
 //! The answer: up to where each lumped model can be trusted.
 //!
 //! ```text
-//!  enhanced: trust up to 2,997 Hz,  3.72 dB RMS, FRAC 0.56, at worst 12.7 dB at 3,412 Hz
+//!  enhanced: trust up to 2,997 Hz,  3.72 dB RMS, FRAC 0.56, ! static inertia, at worst 12.7 dB at 3,412 Hz
 //!     basic: trust up to   236 Hz, 10.13 dB RMS, FRAC 0.12, at worst 31.0 dB at 4,980 Hz
 //! ```
 
@@ -10,6 +10,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::agreement::Agreement;
+use crate::model::Caveat;
 use crate::number::grouped;
 use crate::tui::app::{App, Outcome};
 use crate::tui::theme::Theme;
@@ -57,13 +58,12 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
             Span::raw(format!("{:<1$}", before[row], wide[1])),
             Span::raw(format!(" {:>5.2} dB RMS{rms}", agreement.rms_db)),
             Span::raw(format!(", FRAC {:.2}", agreement.frac)),
-            Span::styled(
-                format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz)),
-                theme.faint,
-            ),
         ];
+        let worst = format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz));
         let mut line = Line::default();
-        for part in parts {
+        let caveat = (row == 0).then(|| caveats(&summary.caveats, usize::from(area.width))).flatten();
+        let caveat = caveat.map(|text| Span::styled(format!(", ! {text}"), theme.warning));
+        for part in parts.into_iter().chain(caveat).chain([Span::styled(worst, theme.faint)]) {
             // what does not fit as a whole is left out
             if line.width() + part.width() < usize::from(area.width) {
                 line.push_span(part);
@@ -73,6 +73,26 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
         }
         buffer.set_line(area.x, area.y + row as u16, &line, area.width);
     }
+}
+
+/// Both agreements in a line, to be pasted somewhere.
+pub fn sentence(summary: &Summary) -> String {
+    let of = |name: &str, agreement: &Agreement| {
+        let Agreement { rms_db, frac, max_db, max_at_hz, .. } = agreement;
+        let worst = format!("at worst {:.1} dB at {} Hz", max_db.abs(), grouped(*max_at_hz));
+        format!("{name}: {}, {rms_db:.2} dB RMS, FRAC {frac:.2}, {worst}", limit(agreement))
+    };
+    format!("{}; {}", of("enhanced", &summary.enhanced), of("basic", &summary.basic))
+}
+
+/// What the enhanced model rests on besides its modes, in as many words as there is room for.
+fn caveats(caveats: &[Caveat], width: usize) -> Option<String> {
+    let (first, others) = caveats.split_first()?;
+    if width >= 120 {
+        return Some(caveats.iter().map(Caveat::long).collect::<Vec<_>>().join(", "));
+    }
+    let more = if others.is_empty() { String::new() } else { format!(" +{}", others.len()) };
+    Some(first.short() + &more)
 }
 
 fn short_limit(agreement: &Agreement) -> String {

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! ┌ 2 findings ────────────────────────────────────────┐
-//! │▌× error pinion.bearing[0].kx_n_per_m: must be ...  │
-//! │ ! warning mesh.damping: 3 is a lot                 │
+//! │▌× error kx of pinion bearing B1: must be ...       │
+//! │ ! warning damping of mesh: 3 is a lot              │
 //! └────────────────────────────────────────────────────┘
 //! ```
 
@@ -15,19 +15,21 @@ use super::panel::{self, Title};
 use super::table::severity_mark;
 use crate::design::Finding;
 use crate::text::wrap;
-use crate::tui::editor::List;
+use crate::tui::editor::{Editing, List};
 use crate::tui::theme::Theme;
 
 /// A finding as it is read.
 pub fn sentence(finding: &Finding) -> String {
-    let path = if finding.key_path.is_empty() { String::new() } else { format!("{}: ", finding.key_path) };
+    let path = finding.shown_path();
+    let path = if path.is_empty() { path } else { path + ": " };
     let hint = finding.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
     format!("{} {path}{}{hint}", finding.severity.word(), finding.message)
 }
 
-/// Draws the list over `area`.
-pub fn render(findings: &[Finding], list: &mut List, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+/// Draws the list over `area`; `is_open` is whether it is not known yet if the design can be solved.
+pub fn render(editing: &Editing, is_open: bool, list: &mut List, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     panel::clear(area, buffer);
+    let findings = editing.problems();
     let count = findings.len();
     let title = match count {
         0 => "No findings".to_owned(),
@@ -42,12 +44,15 @@ pub fn render(findings: &[Finding], list: &mut List, theme: &Theme, area: Rect, 
     let room = usize::from(inner.width) - 4;
     // which finding each line belongs to
     let mut lines: Vec<(usize, bool, String)> = Vec::new();
-    for (at, finding) in findings.iter().enumerate() {
-        let wrapped = wrap(&sentence(finding), room);
+    for (at, sentence) in editing.sentences(&findings).iter().enumerate() {
+        let wrapped = wrap(sentence, room);
         lines.extend(wrapped.into_iter().enumerate().map(|(line, text)| (at, line == 0, text)));
     }
     if count == 0 {
-        lines.push((0, false, "Nothing is wrong or unusual in this design.".into()));
+        let text = "Nothing is wrong or unusual in this design.";
+        let open = " Whether it can be solved is not known yet.";
+        let text = if is_open { format!("{text}{open}") } else { text.into() };
+        lines.extend(wrap(&text, room).into_iter().map(|line| (0, false, line)));
     }
     list.scroll.fit(lines.len(), usize::from(inner.height));
     let first = lines.iter().position(|(at, ..)| *at == list.cursor).unwrap_or(0);

@@ -9,7 +9,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use unicode_width::UnicodeWidthStr;
 
-use crate::text::{cut, cut_start, printable};
+use super::text_line::prompted;
+use crate::text::{cut, printable};
 use crate::tui::action::ACTIONS;
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
@@ -25,17 +26,19 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let mut x = area.x;
     let mut cursor = None;
     if app.mode == Mode::Filter {
-        let room = usize::from(area.width / 2).saturating_sub(3);
-        let typed = cut_start(&printable(app.library.filter()), room, ellipsis);
-        x = buffer.set_stringn(x, area.y, format!(" /{typed}"), usize::from(area.width), theme.title).0;
-        cursor = Some(Position::new(x.min(area.right() - 1), area.y));
-        x = (x + 2).min(area.right());
-    } else if let Some(notice) = &app.notice {
+        let place = Rect { width: area.width.div_ceil(2), ..area };
+        let field = (app.library.filter_field(), theme.title);
+        if let Some((position, end)) = prompted((" /", theme.title), field, theme, place, buffer) {
+            cursor = Some(position);
+            x = (end + 2).min(area.right());
+        }
+    } else if let Some(notice) = app.shown_notice() {
         let text = printable(&notice.text);
-        let room = usize::from(area.width) * 3 / 4;
+        // what happened comes before what could be done
+        let room = usize::from(area.width).saturating_sub(4);
         let (text, style) = match notice.kind {
             NoticeKind::Done => (format!(" {}", cut(&text, room, ellipsis)), theme.title),
-            NoticeKind::Failed | NoticeKind::NotListed => {
+            NoticeKind::Failed | NoticeKind::NotListed | NoticeKind::Standing => {
                 (format!(" {} {}", theme.glyphs.broken, cut(&text, room, ellipsis)), theme.error)
             }
         };

@@ -18,7 +18,7 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         .unsaved()
         .map(|editing| {
             let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
-            let errors = editing.editor.reading().errors().count();
+            let errors = editing.errors();
             let errors = if errors == 0 { "" } else { " (with errors)" };
             format!("  {} *{errors}", printable(&stem))
         })

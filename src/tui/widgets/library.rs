@@ -50,8 +50,8 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let columns = Widths::new(usize::from(area.width));
     let heading = columns.line("design", "FE", "trust Hz", theme);
     buffer.set_stringn(area.x, area.y, heading, usize::from(area.width), theme.faint);
-    for (Visible { row, selected, marked, depth }, y) in app.library.visible().zip(area.y + 1..area.bottom()) {
-        let text = columns.row(row, &stem(row, marked, depth, theme), theme);
+    for (Visible { row, selected, marked, depth, folder }, y) in app.library.visible().zip(area.y + 1..area.bottom()) {
+        let text = columns.row(row, &stem(row, folder.as_deref(), marked, depth, theme), theme);
         let style = match (&row.state, selected) {
             (_, true) => theme.selected,
             (RowState::Broken(_) | RowState::Unsolvable(_), false) => theme.error,
@@ -65,13 +65,14 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The file's name, below its parent's, with a mark where others are compared with it.
-fn stem(row: &Row, marked: bool, depth: usize, theme: &Theme) -> String {
+/// The file's name, with its folder where that tells it from another one, below its parent's, with a mark where others are compared with it.
+fn stem(row: &Row, folder: Option<&str>, marked: bool, depth: usize, theme: &Theme) -> String {
     // a long line of descent leaves room for the name
     let depth = depth.min(4);
     let branch = if depth > 0 { theme.glyphs.branch } else { "" };
     let mark = if marked { format!("{} ", theme.glyphs.marked) } else { String::new() };
-    format!("{}{branch}{mark}{}", "  ".repeat(depth.saturating_sub(1)), row.stem)
+    let folder = folder.map_or(String::new(), |folder| format!("{folder}/"));
+    format!("{}{branch}{mark}{folder}{}", "  ".repeat(depth.saturating_sub(1)), row.stem)
 }
 
 /// The rows under the heading.

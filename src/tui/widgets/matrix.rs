@@ -5,7 +5,7 @@
 //! │            x        y        z      thx      thy      thz     │
 //! │ x     [4.0e8]     0.0      0.0      0.0      0.0      0.0     │
 //! │ y        0.0    2.5e8      0.0      0.0      0.0      0.0     │
-//! └ x x, N/m; entries mirrored ───────────────────────────────────┘
+//! └ row x, column x: N/m; the mirrored entry changes with it ─────┘
 //! ```
 
 use ratatui::buffer::Buffer;
@@ -34,11 +34,12 @@ pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer
     let room = area.width.saturating_sub(2 + LABEL) / 6;
     let column = (widest as u16 + 3).max(8).min(room).max(3);
     let width = (column * 6 + LABEL + 2).min(area.width);
-    let mut about: Vec<String> = Vec::new();
+    let mut about: Vec<(String, Style)> = Vec::new();
     for &at in &editing.view.findings(row, matrix_column(editing)) {
         let Some(finding) = editing.findings().get(at) else { continue };
-        let (mark, _) = severity_mark(finding.severity, theme);
-        about.extend(wrap(&format!("{mark} {}", findings::sentence(finding)), usize::from(width.saturating_sub(4))));
+        let (mark, style) = severity_mark(finding.severity, theme);
+        let lines = wrap(&format!("{mark} {}", findings::sentence(finding)), usize::from(width.saturating_sub(4)));
+        about.extend(lines.into_iter().map(|line| (line, style)));
     }
     let height = (9 + about.len() as u16).min(area.height);
     let window = Rect { x: area.x + (area.width - width) / 2, y: area.y, width, height };
@@ -80,8 +81,7 @@ pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer
             let cell = editing.view.matrix_entry(row, (i, j));
             // a finding about the matrix as a whole stands below it
             let own = cell.map_or(Vec::new(), |cell| {
-                let path = cell.path.to_string();
-                let own = |at: &usize| editing.findings().get(*at).is_some_and(|finding| finding.key_path == path);
+                let own = |at: &usize| editing.findings().get(*at).is_some_and(|finding| finding.key_path == cell.path);
                 cell.findings.iter().copied().filter(own).collect::<Vec<_>>()
             });
             if let Some((mark, style)) = mark(editing.findings(), &own, theme) {
@@ -89,8 +89,8 @@ pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer
             }
         }
     }
-    for (line, y) in about.iter().zip(inner.y + 7..inner.bottom()) {
-        buffer.set_stringn(inner.x + 1, y, line, usize::from(inner.width.saturating_sub(2)), theme.error);
+    for ((line, style), y) in about.iter().zip(inner.y + 7..inner.bottom()) {
+        buffer.set_stringn(inner.x + 1, y, line, usize::from(inner.width.saturating_sub(2)), *style);
     }
     let unit = editing.entry().map_or("", |cell| cell.column.unit);
     let place = format!("row {}, column {}: {unit}", NAMES[entry.row.min(5)], NAMES[entry.column.min(5)]);

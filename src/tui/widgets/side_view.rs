@@ -61,7 +61,7 @@ pub fn render_with(design: &Design, pointed: Option<(Side, Element)>, theme: &Th
     let rows = usize::from(area.height) - 2;
     let (start, end) =
         shafts.iter().fold((0.0_f64, 0.0_f64), |(start, end), shaft| (start.min(shaft.start), end.max(shaft.end)));
-    let (across, down) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (across, down) = theme.marker.dots();
     // a cell is about twice as high as wide
     let aspect = 2.0 * across as f64 / down as f64;
     let radii: f64 = shafts.iter().map(|shaft| shaft.radius).sum();
@@ -137,7 +137,7 @@ impl<'a> Shaft<'a> {
 
     fn render(&self, scale: Scale, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         let picture = Rect { height: area.height - 1, ..area };
-        let mut canvas = Canvas::new(picture.width, picture.height, theme.glyphs.ascii);
+        let mut canvas = Canvas::new(picture.width, picture.height, theme.marker);
         let middle = (canvas.dots_high() as f64 - 1.0) / 2.0;
         for body in &self.rotor.bodies {
             let cylinder = Cylinder::of(body);
@@ -163,7 +163,7 @@ impl<'a> Shaft<'a> {
     }
 
     fn render_marks(&self, scale: Scale, theme: &Theme, area: Rect, middle: f64, buffer: &mut Buffer) {
-        let (across, down) = Canvas::dots_per_cell(theme.glyphs.ascii);
+        let (across, down) = theme.marker.dots();
         let cell = |position: f64| ((scale.dot(position).max(0.0) as usize / across) as u16).min(area.width - 1);
         let row = ((middle + self.mesh.1 * scale.down).max(0.0) as usize / down) as u16;
         put(buffer, area.x + cell(self.mesh.0), area.y + row.min(area.height - 2), theme.glyphs.mesh, theme.warning);
@@ -203,7 +203,7 @@ impl Shaft<'_> {
             Element::Drive => rotor.drive.map(|drive| (drive.position, drive.position)),
         };
         let Some((from, to)) = extent else { return };
-        let (across, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+        let (across, _) = theme.marker.dots();
         let last = usize::from(area.width).saturating_sub(1);
         let cell = |position: f64| ((scale.dot(position).max(0.0) as usize / across).min(last)) as u16;
         let style = theme.title.patch(theme.selected);

@@ -19,7 +19,7 @@ use ratatui::text::Span;
 
 use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
-use super::plot::{AXIS_ROWS, Dash, GUTTER, Range, curve_width, draw_curve};
+use super::plot::{AXIS_ROWS, GUTTER, Range, curve_width, draw_curve};
 use crate::number::grouped;
 use crate::tui::app::Picture;
 use crate::tui::axis::{FrequencyAxis, multiples};
@@ -28,7 +28,7 @@ use crate::tui::traces::{Columns, Envelope, TOLERANCE_DB};
 
 /// What the marks mean, with the saved state's curve if it is drawn.
 pub fn legend(theme: &Theme, ghost: bool) -> Vec<Span<'static>> {
-    let [fe, enhanced, basic] = theme.glyphs.samples;
+    let [fe, enhanced, basic] = theme.marker.samples();
     let mut spans = vec![
         Span::styled(format!("{fe} FE"), theme.fe),
         Span::styled(format!(" {enhanced} enhanced"), theme.enhanced),
@@ -44,7 +44,7 @@ pub fn legend(theme: &Theme, ghost: bool) -> Vec<Span<'static>> {
 
 /// Title and legend of a frame `width` columns wide.
 pub fn title(theme: &Theme, width: u16) -> Title<'static> {
-    let [fe, enhanced, basic] = theme.glyphs.samples;
+    let [fe, enhanced, basic] = theme.marker.samples();
     let gap = if width >= 60 { "  " } else { " " };
     let right = vec![
         Span::styled(format!("{fe} FE"), theme.fe),
@@ -83,7 +83,7 @@ pub fn render_over(
     if plot.is_empty() {
         return;
     }
-    let (dots, _) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (dots, _) = theme.marker.dots();
     let Some(columns) = picture.columns(usize::from(plot.width), dots) else { return };
     let (low, high) = picture.traces.range;
     let range = Range { low, high };
@@ -95,15 +95,11 @@ pub fn render_over(
         draw_ghost(ghost, range, theme, plot, buffer);
     }
 
-    let mut canvas = Canvas::new(plot.width, plot.height, theme.glyphs.ascii);
+    let mut canvas = Canvas::new(plot.width, plot.height, theme.marker);
     let [fe, enhanced, basic] = theme.glyphs.letters;
-    let (dashed, dotted) = if theme.glyphs.ascii {
-        (Dash { on: 2, off: 2 }, Dash { on: 1, off: 2 })
-    } else {
-        (Dash { on: 6, off: 4 }, Dash { on: 1, off: 2 })
-    };
+    let [solid, dashed, dotted] = theme.marker.dashes();
     draw_curve(&mut canvas, &columns.basic, range, dotted, Pen { style: theme.basic, letter: basic });
-    draw_curve(&mut canvas, &columns.fe, range, Dash { on: 1, off: 0 }, Pen { style: theme.fe, letter: fe });
+    draw_curve(&mut canvas, &columns.fe, range, solid, Pen { style: theme.fe, letter: fe });
     draw_curve(&mut canvas, &columns.enhanced, range, dashed, Pen { style: theme.enhanced, letter: enhanced });
     canvas.render(plot, buffer);
 }
@@ -117,7 +113,7 @@ pub fn draw_levels(range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer)
     // labels on every second row at most
     let per_row = (range.high - range.low) / f64::from(plot.height);
     let step = [10.0, 20.0, 40.0].into_iter().find(|step| *step >= 2.0 * per_row).unwrap_or(60.0);
-    let (_, dots) = Canvas::dots_per_cell(theme.glyphs.ascii);
+    let (_, dots) = theme.marker.dots();
     for level in multiples(range.low, range.high, step) {
         let row = range.row(level, usize::from(plot.height) * dots) as u16 / dots as u16;
         let label = grouped(level);

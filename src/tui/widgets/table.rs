@@ -114,8 +114,7 @@ impl Layout {
         let columns = (0..view.columns.len()).map(|column| {
             let header = broken(&view.columns[column].label);
             let unit = view.columns[column].unit;
-            let shown = (0..view.rows.len()).filter_map(|row| view.shown(row, column));
-            let values = shown.map(|shown| shown_text(&shown).width()).max().unwrap_or(0);
+            let values = view.columns[column].longest;
             let words = header.iter().map(|word| word.width()).max().unwrap_or(0);
             let longest = if column == 0 && has_name { longest_name.min(24) } else { WIDEST };
             let right = (0..view.rows.len()).find_map(|row| view.cell(row, column)).is_some_and(|cell| {
@@ -124,8 +123,7 @@ impl Layout {
             Column { width: values.max(words).max(unit.width()).min(longest.max(4)), header, unit, right }
         });
         let columns = columns.collect();
-        let label = (0..view.rows.len()).filter_map(|row| view.row(row)).map(|row| row.label.width()).max();
-        Self { columns, label: if has_name { 0 } else { label.unwrap_or(0).min(longest_name.min(24)) }, has_name }
+        Self { columns, label: if has_name { 0 } else { view.longest_label.min(longest_name.min(24)) }, has_name }
     }
 
     /// Lines of labels, and one of units.

@@ -1,29 +1,35 @@
 //! The tables of a design, with their keys.
 //!
 //! ```text
-//!  1 segments [2 bearings] 3 bodies  4 mesh  5 drives  6 analysis  7 materials  8 design
+//!  F1 segments [F2 bearings] F3 bodies F4 mesh F5 drives F6 analysis F7 materials F8 design
 //! ```
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use unicode_width::UnicodeWidthStr;
 
-use crate::tui::editor::Tab;
+use super::table::severity_mark;
+use crate::tui::editor::{Editing, Tab};
+use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 
-/// Draws a line with all tables; names are shortened where there is little room.
-pub fn render(now: Tab, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let width = usize::from(area.width);
-    let line = |longest: usize| -> Vec<(String, bool)> {
-        let tabs = Tab::ALL.into_iter().enumerate().map(|(at, tab)| {
+/// Draws a line with all tables; where there is little room, names are shortened, then the keys go.
+pub fn render(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let (width, now) = (usize::from(area.width), editing.tab);
+    let line = |(longest, with_key): (usize, bool)| -> Vec<(String, bool)> {
+        let tabs = Tab::ALL.into_iter().map(|tab| {
             let title = tab.title();
             let title = if tab == now { title } else { &title[..title.len().min(longest)] };
-            (format!("{} {title}", at + 1), tab == now)
+            let key = keys.key(tab.action()).filter(|_| with_key).map_or(String::new(), |key| format!("{key} "));
+            let mark = editing.worst_in(tab).map_or("", |worst| severity_mark(worst, theme).0);
+            (format!("{key}{title}{mark}"), tab == now)
         });
         tabs.collect()
     };
     // each has a place in front of it, and the last one behind
-    let needed = |tabs: &[(String, bool)]| tabs.iter().map(|(text, _)| text.len() + 1).sum::<usize>() + 1;
-    let lines = [usize::MAX, 4, 3, 0].map(line);
+    let needed = |tabs: &[(String, bool)]| tabs.iter().map(|(text, _)| text.width() + 1).sum::<usize>() + 1;
+    let widths = [(usize::MAX, true), (6, true), (5, true), (4, true), (usize::MAX, false), (6, false), (4, false)];
+    let lines = widths.map(line);
     let Some(tabs) = lines.iter().find(|tabs| needed(tabs) <= width).or(lines.last()) else { return };
     let mut x = area.x;
     let mut after = " ";

@@ -9,15 +9,17 @@ use crate::text::wrap;
 use crate::tui::app::Scroll;
 use crate::tui::theme::Theme;
 
-/// Draws a frame with a text that scrolls. The frame's last line says where one is, and how to get on.
+/// Draws a frame with a text that scrolls. The frame's last line says where one is, and which key leads here from another
+/// pane; without one the pane has the keys.
 pub fn render(
     (title, text, style): (&str, &str, Style),
     scroll: &mut Scroll,
-    focused: bool,
+    way_here: Option<&str>,
     theme: &Theme,
     area: Rect,
     buffer: &mut Buffer,
 ) {
+    let focused = way_here.is_none();
     let inner = panel::frame(area, buffer, &Title::left(title), focused, theme);
     let text_area = Rect { x: inner.x + 1, width: inner.width.saturating_sub(2), ..inner };
     if text_area.is_empty() {
@@ -29,9 +31,8 @@ pub fn render(
         buffer.set_stringn(text_area.x, y, line, usize::from(text_area.width), style);
     }
     if let Some(position) = scroll.position() {
-        let how = if focused { String::new() } else { format!("lines {position}, Tab to scroll") };
-        let title = Title { left: vec![how, format!("lines {position}"), position], right: Vec::new() };
-        let title = if focused { Title { left: title.left[1..].to_vec(), ..title } } else { title };
-        panel::bottom(area, buffer, &title, focused, theme);
+        let how = way_here.map(|key| format!("lines {position}, {key} to scroll"));
+        let left = how.into_iter().chain([format!("lines {position}"), position]).collect();
+        panel::bottom(area, buffer, &Title { left, right: Vec::new() }, focused, theme);
     }
 }

@@ -11,8 +11,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
-use super::cell_input::draw_line;
 use super::panel::{self, Title};
+use super::text_line::bracketed;
 use crate::text::{printable, wrap};
 use crate::tui::editor::Form;
 use crate::tui::theme::Theme;
@@ -33,10 +33,10 @@ pub fn render(form: &Form, parent: &str, theme: &Theme, area: Rect, buffer: &mut
         let style = if form.on_note == (row == 1) { theme.title } else { theme.faint };
         buffer.set_stringn(inner.x + 1, inner.y + row as u16, label, 5, style);
     }
-    let name = draw_line(&form.name, theme, Rect { width: inner.width - 13, ..line(0) }, buffer);
+    let name = bracketed(&form.name, theme, Rect { width: inner.width - 13, ..line(0) }, buffer);
     buffer.set_stringn(inner.right() - 6, inner.y, ".toml", 5, theme.faint);
-    let note = draw_line(&form.note, theme, line(1), buffer);
-    let problem = form.error.clone().or_else(|| form.checked_name().err());
+    let note = bracketed(&form.note, theme, line(1), buffer);
+    let problem = form.error.clone().or_else(|| form.checked_name().err().map(|error| error.to_string()));
     if let Some(problem) = problem {
         let text = format!("{} {}", theme.glyphs.broken, printable(&problem));
         let lines = wrap(&text, usize::from(inner.width.saturating_sub(2)));

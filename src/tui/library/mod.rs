@@ -1,83 +1,18 @@
 //! The list of designs: what is known of each, which are shown, which is selected.
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+mod row;
 
-use super::backend::{BrokenDesign, LoadedDesign};
-use super::worker::{Summary, Ticket};
+use std::path::{Path, PathBuf};
+
+pub use row::{Row, RowState};
+
+use super::text_field::TextField;
+use super::worker::Ticket;
 use crate::design::library::tree;
 use crate::text::printable;
 
-/// One design file.
-#[derive(Debug, Clone)]
-pub struct Row {
-    pub path: PathBuf,
-    /// File name without `.toml`, safe to show.
-    pub stem: String,
-    pub loaded: Option<Arc<LoadedDesign>>,
-    pub state: RowState,
-    /// What is known comes from this request; older results are refused.
-    pub ticket: Ticket,
-    /// To be read again.
-    pub stale: bool,
-    /// It has edits that are not in the file.
-    pub unsaved: bool,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub enum RowState {
-    /// Not read yet.
-    Pending,
-    /// Read, not solved yet.
-    Loaded,
-    Solved(Summary),
-    Broken(BrokenDesign),
-    /// Can be read but not solved; the whole message.
-    Unsolvable(String),
-}
-
-impl Row {
-    pub(super) fn new(path: PathBuf) -> Self {
-        let stem = path.file_stem().map_or_else(|| path.to_string_lossy(), |stem| stem.to_string_lossy());
-        let stem = printable(&stem).into_owned();
-        Self {
-            path,
-            stem,
-            loaded: None,
-            state: RowState::Pending,
-            ticket: Ticket::default(),
-            stale: false,
-            unsaved: false,
-        }
-    }
-
-    /// The design's own name, or the file's while it is not known; safe to show.
-    pub fn name(&self) -> String {
-        let name = self.loaded.as_ref().map(|loaded| printable(loaded.design.name.trim()).into_owned());
-        name.filter(|name| !name.is_empty()).unwrap_or_else(|| self.stem.clone())
-    }
-
-    /// The file's name as it is, without `.toml`: what a variant names as its parent.
-    fn raw_stem(&self) -> String {
-        self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
-    }
-
-    fn parent(&self) -> Option<&str> {
-        self.loaded.as_ref().and_then(|loaded| loaded.design.parent.as_deref())
-    }
-
-    fn matches(&self, filter: &str) -> bool {
-        let name = self.loaded.as_ref().map_or("", |loaded| &loaded.design.name);
-        filter.is_empty() || self.stem.to_lowercase().contains(filter) || name.to_lowercase().contains(filter)
-    }
-
-    fn waits(&self) -> bool {
-        self.stale || matches!(self.state, RowState::Pending | RowState::Loaded)
-    }
-}
-
 /// A row in the list.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Visible<'a> {
     pub row: &'a Row,
     pub selected: bool,
@@ -85,6 +20,8 @@ pub struct Visible<'a> {
     pub marked: bool,
     /// How far below the design that it came from; 0 for those at the top.
     pub depth: usize,
+    /// Where it is, if another one has the same name.
+    pub folder: Option<String>,
 }
 
 #[derive(Debug, Clone, Default)]
@@ -100,7 +37,7 @@ pub struct Library {
     wanted: Option<PathBuf>,
     /// Place of the selection in `shown`.
     cursor: usize,
-    filter: String,
+    filter: TextField,
     /// First visible place, and how many are visible: known after the first frame.
     scroll: usize,
     height: usize,
@@ -130,6 +67,10 @@ impl Library {
     }
 
     pub fn filter(&self) -> &str {
+        self.filter.text()
+    }
+
+    pub fn filter_field(&self) -> &TextField {
         &self.filter
     }
 
@@ -157,10 +98,6 @@ impl Library {
         self.cursor = 0;
     }
 
-    pub fn select_last(&mut self) {
-        self.cursor = self.shown.len().saturating_sub(1);
-    }
-
     /// Rows of a page; one stays in sight.
     pub fn page(&self) -> isize {
         self.height.saturating_sub(1).max(1).cast_signed()
@@ -168,7 +105,12 @@ impl Library {
 
     /// Changes the filter; the selection stays on its design while that matches.
     pub fn set_filter(&mut self, filter: String) {
-        self.filter = filter;
+        self.edit_filter(|field| *field = TextField::new(filter));
+    }
+
+    /// The same, as it is typed.
+    pub fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) {
+        edit(&mut self.filter);
         self.refilter();
     }
 
@@ -177,12 +119,23 @@ impl Library {
         self.rows.iter().find(|row| row.path == path)
     }
 
-    /// The row that the design of `row` came from.
+    /// The row that the design of `row` came from; one in its folder comes before others of the same name.
     pub fn parent(&self, row: &Row) -> Option<&Row> {
         let parent = row.parent()?;
-        self.rows.iter().find(|other| {
-            other.path != row.path && other.path.parent() == row.path.parent() && other.raw_stem() == parent
-        })
+        let mut named = self.rows.iter().filter(|other| other.raw_stem() == parent);
+        let near = named.clone().find(|other| other.path.parent() == row.path.parent());
+        near.or_else(|| named.next()).filter(|other| other.path != row.path)
+    }
+
+    /// The folder of a row, safe to show, where another one has the same name: in short where that tells them apart.
+    fn folder(&self, row: &Row) -> Option<String> {
+        let alike = || self.rows.iter().filter(|other| other.stem == row.stem && other.path != row.path);
+        alike().next()?;
+        let short = |row: &Row| row.path.parent().and_then(Path::file_name).map(ToOwned::to_owned);
+        let is_told_apart = short(row).is_some() && alike().all(|other| short(other) != short(row));
+        let folder = row.path.parent().unwrap_or(Path::new("")).to_string_lossy();
+        let name = short(row).filter(|_| is_told_apart).map(|name| name.to_string_lossy().into_owned());
+        Some(printable(&name.unwrap_or(folder.into_owned())).into_owned())
     }
 
     /// How many designs name this one as the one that they came from.
@@ -234,7 +187,7 @@ impl Library {
 
     fn refilter(&mut self) {
         let selected = self.shown.get(self.cursor).map(|&(at, _)| at);
-        let filter = self.filter.to_lowercase();
+        let filter = self.filter.text().to_lowercase();
         let all: Vec<usize> = (0..self.rows.len()).collect();
         let matching: Vec<usize> = all.iter().copied().filter(|&at| self.rows[at].matches(&filter)).collect();
         self.shown = self.ordered(&matching);
@@ -255,9 +208,8 @@ impl Library {
         if self.flat || rows.iter().all(|&at| self.rows[at].parent().is_none()) {
             return rows.iter().map(|&at| (at, 0)).collect();
         }
-        let stems: Vec<String> = rows.iter().map(|&at| self.rows[at].raw_stem()).collect();
-        let files: Vec<(&str, Option<&str>)> =
-            stems.iter().zip(rows).map(|(stem, &at)| (stem.as_str(), self.rows[at].parent())).collect();
+        let files: Vec<(&Path, Option<&str>)> =
+            rows.iter().map(|&at| (self.rows[at].path.as_path(), self.rows[at].parent())).collect();
         tree(&files).into_iter().filter_map(|branch| Some((*rows.get(branch.index)?, branch.depth))).collect()
     }
 
@@ -339,7 +291,7 @@ impl Library {
             let (at, depth) = self.shown[place];
             let row = &self.rows[at];
             let marked = self.marked.as_ref() == Some(&row.path);
-            Visible { row, selected: place == self.cursor, marked, depth }
+            Visible { row, selected: place == self.cursor, marked, depth, folder: self.folder(row) }
         })
     }
 }
@@ -393,6 +345,18 @@ mod tests {
         assert_eq!(stem(&library), "a");
         library.replace(Vec::new());
         assert!(library.selected().is_none());
+    }
+
+    #[test]
+    fn designs_of_one_name_are_told_apart_by_their_folders() {
+        let shown = |paths: &[&str]| -> Vec<Option<String>> {
+            let mut library = Library::new(paths.iter().map(PathBuf::from).collect());
+            library.scroll_into_view(9);
+            library.visible().map(|visible| visible.folder).collect()
+        };
+        let some = |folder: &str| Some(folder.to_owned());
+        assert_eq!(shown(&["/x/a/base.toml", "/x/a/one.toml", "/x/b/base.toml"]), [some("a"), None, some("b")]);
+        assert_eq!(shown(&["/x/a/base.toml", "/y/a/base.toml"]), [some("/x/a"), some("/y/a")]);
     }
 
     #[test]

@@ -1,0 +1,117 @@
+//! The modes of a lumped model beside those of finite elements, and which of them makes the two differ at a frequency.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::{ModePair, pair_modes};
+use crate::design::Design;
+use crate::model::{Model, ModelError, ModelKind, Rotors};
+use crate::response::{Mode, Modes, ResponseError};
+
+/// Finite element modes that lumped ones are paired with: the lowest, since the shape of a high one at the mesh alone says little.
+pub const COMPARED_FE_MODES: usize = 40;
+
+/// Modes of two models with their partners.
+#[derive(Debug, Clone)]
+pub struct ModalComparison {
+    pub fe_model: Model,
+    /// All of them
+    pub fe: Modes,
+    pub lumped_model: Model,
+    pub lumped: Modes,
+    /// By [`pair_modes`], among the lowest [`COMPARED_FE_MODES`]
+    pub pairs: Vec<ModePair>,
+}
+
+/// Why modes cannot be compared.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ModalError {
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    #[error("{} model: {error}", kind.name())]
+    Response { kind: ModelKind, error: ResponseError },
+}
+
+/// The mode that makes most of the difference at a frequency: one of finite elements, or a lumped one that these do not have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Responsible {
+    /// Index among the finite element modes
+    pub fe: Option<usize>,
+    /// Index among the lumped ones; both where the two are paired
+    pub lumped: Option<usize>,
+    /// Size of its contribution to the difference over the sum of all sizes, 0 to 1
+    pub share: f64,
+}
+
+impl ModalComparison {
+    /// # Errors
+    ///
+    /// A model that cannot be built, or whose modes cannot be computed.
+    pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Self, ModalError> {
+        let modes = |kind| -> Result<(Model, Modes), ModalError> {
+            let model = Model::new(kind, design, rotors)?;
+            let modes = Modes::new(&model, usize::MAX).map_err(|error| ModalError::Response { kind, error })?;
+            Ok((model, modes))
+        };
+        let ((fe_model, fe), (lumped_model, lumped)) = (modes(ModelKind::Fe)?, modes(kind)?);
+        let enhanced = Model::new(ModelKind::Enhanced, design, rotors)?;
+        let compared = Modes(fe.0.iter().take(COMPARED_FE_MODES).cloned().collect());
+        let pairs = pair_modes((&lumped_model, &lumped), (&fe_model, &compared), &enhanced);
+        Ok(Self { fe_model, fe, lumped_model, lumped, pairs })
+    }
+
+    /// The lumped partner of a finite element mode.
+    pub fn partner(&self, fe: usize) -> Option<usize> {
+        self.pairs.iter().find(|pair| pair.fe == fe).map(|pair| pair.lumped)
+    }
+
+    /// The mode with the greatest contribution to the difference of the two mesh forces at a frequency (Hz), of those within an octave.
+    ///
+    /// F_m + k_m* e = k_m*^2 e h^T H^-1 h is a sum over the modes with the mesh, (phi . h)^2 / (lambda_r (1 + j eta_r) - w^2), so the difference of two models
+    /// is the sum of the differences of paired modes and of what the modes without partner give. A pair that agrees cancels, and an unpaired mode
+    /// counts whole. All models have the same static compliance at the mesh, so of every mode only what exceeds its static part is looked at:
+    /// without that the high modes, which share the static part out differently, would be named at any frequency. eta_r is the loss factor by modal strain energy (Johnson and Kienholz 1982): the sum explains, the spectra are exact.
+    pub fn responsible(&self, at_hz: f64) -> Option<Responsible> {
+        let omega = TAU * at_hz;
+        let term = |model: &Model, mode: &Mode| -> Complex64 {
+            let lambda = (TAU * mode.frequency_hz).powi(2);
+            let structure = model.structural_factor(omega).im;
+            let mesh = model.complex_mesh_stiffness(omega).im / model.mesh_stiffness;
+            let loss = structure + (mesh - structure) * mode.mesh_strain_share;
+            let stiffness = Complex64::new(lambda, lambda * loss);
+            // the rigid rotation strains nothing, the mesh included
+            let moving = mode.participation / (stiffness - omega * omega) - mode.participation / stiffness;
+            if mode.mesh_strain_share > 0.0 && moving.is_finite() { moving } else { Complex64::ZERO }
+        };
+        let fe_term = |i: usize| term(&self.fe_model, &self.fe.0[i]);
+        let lumped_term = |i: usize| term(&self.lumped_model, &self.lumped.0[i]);
+        let of_fe = (0..self.fe.0.len()).map(|i| {
+            let lumped = self.partner(i);
+            let difference = lumped.map_or(Complex64::ZERO, lumped_term) - fe_term(i);
+            (Some(i), lumped, difference.norm())
+        });
+        let alone = (0..self.lumped.0.len()).filter(|i| !self.pairs.iter().any(|pair| pair.lumped == *i));
+        let all: Vec<_> = of_fe.chain(alone.map(|i| (None, Some(i), lumped_term(i).norm()))).collect();
+        let sum: f64 = all.iter().map(|(.., size)| size).sum();
+        // modes farther off than an octave give a smooth part only; where there are none nearer they are all there is
+        let hz = |&(fe, lumped, _): &(Option<usize>, Option<usize>, f64)| {
+            let of = |modes: &Modes, i: Option<usize>| i.map(|i| modes.0[i].frequency_hz);
+            [of(&self.fe, fe), of(&self.lumped, lumped)]
+        };
+        let near = |hz: f64| (0.5 * at_hz..=2.0 * at_hz).contains(&hz);
+        let some_near = all.iter().any(|mode| mode.2 > 0.0 && hz(mode).into_iter().flatten().any(near));
+        let candidates = all.into_iter().filter(|mode| !some_near || hz(mode).into_iter().flatten().any(near));
+        let (fe, lumped, size) = candidates.max_by(|a, b| a.2.total_cmp(&b.2))?;
+        (size > 0.0 && sum.is_finite()).then(|| Responsible { fe, lumped, share: size / sum })
+    }
+
+    /// The finite element mode of a responsible one, or the lumped one where there is none.
+    pub fn mode(&self, responsible: &Responsible) -> Option<&Mode> {
+        match (responsible.fe, responsible.lumped) {
+            (Some(i), _) => self.fe.0.get(i),
+            (None, Some(i)) => self.lumped.0.get(i),
+            (None, None) => None,
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! A rotor reduced to its interface and its lowest modes with the interface held (Craig and Bampton 1968).
+//!
+//! The interface is what the lumped models have: the six coordinates of the mesh station, and the drive where there is one. With no mode it is the static
+//! (Guyan 1965) model; with all of them it is the finite element rotor in other coordinates.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use super::eigen::natural_modes;
+use super::{Coordinate, ModelError, Reduction, RotorModel, fe, lumped};
+use crate::design::{Design, Side};
+use crate::rotor::{Motion, Rotor};
+
+/// The static shapes and all fixed-interface modes of one rotor, from which any number of modes can be kept.
+#[derive(Debug, Clone)]
+pub struct CraigBampton {
+    full: RotorModel,
+    /// K of the interface: that of the lumped models, since static condensation is exact; x, y, z, thx, thy, thz of the mesh station, then
+    /// the drive if any
+    interface_stiffness: DMatrix<f64>,
+    /// phi^T K phi of the fixed-interface modes, ascending in frequency
+    modal_stiffness: Vec<f64>,
+    /// M over interface and modes
+    mass: DMatrix<f64>,
+    mesh_vector: DVector<f64>,
+    /// Displacements of the finite element coordinates: static shapes for unit motion of each interface coordinate, then the modes
+    basis: DMatrix<f64>,
+}
+
+impl CraigBampton {
+    /// Solves the static shapes and the fixed-interface modes of a rotor.
+    ///
+    /// # Errors
+    ///
+    /// Values that lie too many orders of magnitude apart.
+    pub fn new(design: &Design, rotor: &Rotor, side: Side) -> Result<Self, ModelError> {
+        let full = fe::rotor(design, rotor, side);
+        Self::split(full, design, rotor, side).ok_or(ModelError::IllConditioned(side))
+    }
+
+    fn split(full: RotorModel, design: &Design, rotor: &Rotor, side: Side) -> Option<Self> {
+        let n = full.coordinates.len();
+        let at_mesh = Motion::ALL.into_iter().map(|motion| full.at_mesh(motion));
+        let interface = at_mesh.chain(full.drive().map(Some)).collect::<Option<Vec<usize>>>()?;
+        let held = interface.len();
+        let interior: Vec<usize> = (0..n).filter(|i| !interface.contains(i)).collect();
+        let stiffness = full.stiffness.select_rows(&interior);
+        let (inside, across) = (stiffness.select_columns(&interior), stiffness.select_columns(&interface));
+        let inside_mass = full.mass.select_rows(&interior).select_columns(&interior);
+        let modes = natural_modes(&inside, &inside_mass, &DVector::zeros(interior.len()))?;
+        let mut order: Vec<usize> = (0..interior.len()).collect();
+        // kappa + s theta = 1: the greater the modal mass, the lower the frequency
+        order.sort_by(|&a, &b| modes.mass[b].total_cmp(&modes.mass[a]));
+        let mut basis = DMatrix::zeros(n, held + order.len());
+        let shapes = static_shapes(&inside, &across)?;
+        for (column, &i) in interface.iter().enumerate() {
+            basis[(i, column)] = 1.0;
+        }
+        for (row, &i) in interior.iter().enumerate() {
+            for column in 0..held {
+                basis[(i, column)] = shapes[(row, column)];
+            }
+            for (column, &mode) in order.iter().enumerate() {
+                basis[(i, held + column)] = modes.shapes[(row, mode)];
+            }
+        }
+        let interface_stiffness = lumped::stiffness(design, rotor, side);
+        let mesh_vector = DVector::from_iterator(held, interface.iter().map(|&i| full.mesh_vector[i]));
+        let pushed = basis.columns(0, held) * under_mesh_force(&interface_stiffness, &mesh_vector)?;
+        let modal_mass: Vec<f64> = order.iter().map(|&mode| modes.mass[mode]).collect();
+        join_equal(&mut basis, held, &modal_mass, &(&full.mass * pushed));
+        let mass = basis.tr_mul(&(&full.mass * &basis));
+        if !mass.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
+        Some(Self {
+            interface_stiffness,
+            modal_stiffness: order.iter().map(|&mode| modes.stiffness[mode]).collect(),
+            mass: (&mass + mass.transpose()) * 0.5,
+            mesh_vector: mesh_vector.resize_vertically(basis.ncols(), 0.0),
+            basis,
+            full,
+        })
+    }
+
+    /// Number of coordinates that are held.
+    fn interface(&self) -> usize {
+        self.interface_stiffness.nrows()
+    }
+
+    /// Number of fixed-interface modes there are.
+    pub fn modes(&self) -> usize {
+        self.modal_stiffness.len()
+    }
+
+    /// Displacements of the finite element coordinates for unit motion of x, y, z, thx, thy, thz of the mesh station and of the drive if any, all
+    /// others of these held and nothing moving fast: one column each.
+    pub fn static_shapes(&self) -> DMatrix<f64> {
+        self.basis.columns(0, self.interface()).into_owned()
+    }
+
+    /// The rotor with its lowest fixed-interface modes, all of them where there are fewer.
+    pub fn keep(&self, modes: usize) -> RotorModel {
+        let modes = modes.min(self.modes());
+        let interface = self.interface();
+        let n = interface + modes;
+        let mut stiffness = DMatrix::zeros(n, n);
+        stiffness.view_mut((0, 0), (interface, interface)).copy_from(&self.interface_stiffness);
+        for (i, kappa) in self.modal_stiffness.iter().take(modes).enumerate() {
+            stiffness[(interface + i, interface + i)] = *kappa;
+        }
+        let station = self.full.mesh_station;
+        let at_mesh = Motion::ALL.into_iter().map(|motion| Coordinate::Station(station, motion));
+        let held = (0..modes).map(Coordinate::FixedInterfaceMode);
+        RotorModel {
+            stiffness,
+            mass: self.mass.view((0, 0), (n, n)).into_owned(),
+            mesh_vector: self.mesh_vector.rows(0, n).into_owned(),
+            coordinates: at_mesh.chain(self.full.drive().map(|_| Coordinate::Drive)).chain(held).collect(),
+            mesh_station: station,
+            reduction: Some(Box::new(Reduction {
+                full: self.full.clone(),
+                basis: self.basis.columns(0, n).into_owned(),
+            })),
+        }
+    }
+}
+
+/// Static displacement of the interface under a unit mesh force, without turning.
+fn under_mesh_force(stiffness: &DMatrix<f64>, mesh_vector: &DVector<f64>) -> Option<DVector<f64>> {
+    const HELD: [usize; 5] = [0, 1, 2, 3, 5];
+    let held = stiffness.select_rows(&HELD).select_columns(&HELD);
+    let scale = held.diagonal().map(|entry| 1.0 / entry.sqrt());
+    let scaled = DMatrix::from_fn(5, 5, |i, j| scale[i] * held[(i, j)] * scale[j]);
+    let mut found = mesh_vector.select_rows(&HELD).component_mul(&scale);
+    Cholesky::new(scaled)?.solve_mut(&mut found);
+    let mut out = DVector::zeros(mesh_vector.len());
+    for (row, &i) in HELD.iter().enumerate() {
+        out[i] = found[row] * scale[row];
+    }
+    Some(out)
+}
+
+/// Of modes with one frequency (both planes of a shaft that is alike from all sides) any mixture is a mode, and which of them comes
+/// first would be up to rounding: first comes the one that takes all of `load`, and the others none.
+fn join_equal(basis: &mut DMatrix<f64>, held: usize, modal_mass: &[f64], load: &DVector<f64>) {
+    const EQUAL: f64 = 1e-9;
+    let mut first = 0;
+    for i in 1..modal_mass.len() {
+        if modal_mass[first] - modal_mass[i] > EQUAL * modal_mass[first] {
+            first = i;
+            continue;
+        }
+        let (one, other) = (basis.column(held + first).into_owned(), basis.column(held + i).into_owned());
+        let (a, b) = (one.dot(load), other.dot(load));
+        let length = a.hypot(b);
+        if length > 0.0 && length.is_finite() {
+            basis.set_column(held + first, &((&one * a + &other * b) / length));
+            basis.set_column(held + i, &((&other * a - &one * b) / length));
+        }
+    }
+}
+
+/// - `K_ii`^-1 `K_ib`: how the inside follows the interface statically.
+fn static_shapes(inside: &DMatrix<f64>, across: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let n = inside.nrows();
+    let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(i, i)].sqrt());
+    let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(i, j)] * scale[j]);
+    let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
+    let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(i, j)]);
+    factor.solve_mut(&mut shapes);
+    for mut column in shapes.column_iter_mut() {
+        column.component_mul_assign(&scale);
+    }
+    Some(shapes)
+}

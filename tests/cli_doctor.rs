@@ -1,0 +1,104 @@
+//! `bevelscope doctor`, from outside.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn doctor(home: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
+    let folder = |name: &str| home.join(name);
+    Command::new(env!("CARGO_BIN_EXE_bevelscope"))
+        .arg("doctor")
+        .args(arguments)
+        .current_dir(home)
+        .env_clear()
+        .env("HOME", home)
+        .env("XDG_DATA_HOME", folder("data"))
+        .env("XDG_CONFIG_HOME", folder("config"))
+        .env("XDG_STATE_HOME", folder("state"))
+        .envs(environment.iter().copied())
+        .output()
+        .unwrap()
+}
+
+fn json(home: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Value {
+    let arguments: Vec<&str> = arguments.iter().copied().chain(["--format", "json"]).collect();
+    let output = doctor(home, &arguments, environment);
+    assert!(output.status.success(), "{output:?}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn the_table_fits_80_columns_and_nothing_in_it_steers_a_terminal() {
+    let home = tempfile::tempdir().unwrap();
+    let hostile = "x\u{1b}[31m\u{7}".repeat(20);
+    let environment = [("TERM", hostile.as_str()), ("LANG", &hostile), ("COLORFGBG", &hostile), ("TERM_PROGRAM", "é")];
+    let output = doctor(home.path(), &[], &environment);
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    for line in text.lines() {
+        assert!(line.chars().count() <= 80, "{line}");
+        assert!(!line.chars().any(char::is_control), "{line:?}");
+    }
+    for part in ["version", "platform", "TERM", "ssh", "locale", "clipboard", "designs", "state", "key file"] {
+        assert!(text.contains(part), "no {part} in\n{text}");
+    }
+    assert!(text.contains(env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn what_was_found_out_stands_with_its_reason() {
+    type Variables<'a> = &'a [(&'a str, &'a str)];
+    let home = tempfile::tempdir().unwrap();
+    let terminal = |arguments: &[&str], environment: &[(&str, &str)], key: &str| {
+        json(home.path(), arguments, environment)["terminal"][key].as_str().unwrap().to_owned()
+    };
+    let cases: [(Variables, &str, &str); 10] = [
+        (&[("TERM", "xterm-256color")], "colours", "256: TERM says so"),
+        (&[("TERM", "xterm-256color"), ("NO_COLOR", "1")], "colours", "none: NO_COLOR is set"),
+        (&[("COLORTERM", "truecolor")], "colours", "16 million: COLORTERM says so"),
+        (&[("COLORFGBG", "0;15")], "background", "light (COLORFGBG)"),
+        (&[], "background", "unknown: colours for both (COLORFGBG is not set)"),
+        (&[("LANG", "C.UTF-8")], "characters", "Unicode: the locale is UTF-8"),
+        (&[("LC_ALL", "C"), ("LANG", "C.UTF-8")], "characters", "ASCII: the locale is not UTF-8"),
+        (&[("LC_ALL", "C"), ("LANG", "C.UTF-8")], "locale", "C (LC_ALL)"),
+        (&[("SSH_TTY", "/dev/pts/1")], "ssh", "yes"),
+        (&[], "output_is_a_terminal", "no"),
+    ];
+    for (environment, key, expected) in cases {
+        assert_eq!(terminal(&[], environment, key), expected);
+    }
+    assert_eq!(terminal(&["--ascii"], &[("LANG", "C.UTF-8")], "characters"), "ASCII: --ascii");
+    assert!(terminal(&[], &[("TMUX", "/tmp/tmux")], "clipboard").contains("set-clipboard on"));
+    assert!(terminal(&[], &[("STY", "1.a")], "clipboard").contains("GNU screen"));
+}
+
+#[test]
+fn folders_are_tried_and_none_is_made() {
+    let home = tempfile::tempdir().unwrap();
+    let folders = |home: &Path| json(home, &[], &[])["folders"].clone();
+    let found = folders(home.path());
+    for name in ["designs", "configuration", "state"] {
+        assert!(found[name].as_str().unwrap().ends_with("(not there yet, can be made)"), "{found}");
+    }
+    assert!(found["key_file"].as_str().unwrap().ends_with("keys.toml (not there: the shipped keys hold)"), "{found}");
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
+
+    std::fs::create_dir_all(home.path().join("config/bevelscope")).unwrap();
+    std::fs::write(home.path().join("config/bevelscope/keys.toml"), "").unwrap();
+    std::fs::create_dir(home.path().join("designs")).unwrap();
+    // a file where the folder should be: permissions would stop no one who is root
+    std::fs::create_dir(home.path().join("state")).unwrap();
+    std::fs::write(home.path().join("state/bevelscope"), "").unwrap();
+    let found = folders(home.path());
+    assert!(found["designs"].as_str().unwrap().ends_with("designs (exists, can be written)"), "{found}");
+    assert!(found["configuration"].as_str().unwrap().ends_with("bevelscope (exists, can be written)"), "{found}");
+    assert!(found["state"].as_str().unwrap().ends_with("(is no folder)"), "{found}");
+    assert!(found["key_file"].as_str().unwrap().ends_with("keys.toml (exists, can be written)"), "{found}");
+    // what was tried has left nothing
+    assert_eq!(std::fs::read_dir(home.path().join("designs")).unwrap().count(), 0);
+    let named = json(home.path(), &["--keys", "mine.toml"], &[]);
+    assert_eq!(named["folders"]["key_file"], "mine.toml (not there: the shipped keys hold)");
+}

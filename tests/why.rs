@@ -1,0 +1,170 @@
+//! Where and why models disagree, on designs whose cause is known.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod support;
+
+use bevelscope::agreement::{Causes, DisagreementBand, ModalComparison, difference_db, disagreement_bands};
+use bevelscope::comparison::solve;
+use bevelscope::design::{BeamTheory, Design, Side, library, read};
+use bevelscope::model::{Model, ModelKind, Rotors, pinion_speed_rpm};
+use bevelscope::response::{Modes, frequency_lines};
+use num_complex::Complex64;
+use proptest::prelude::*;
+use support::random::{config, designs};
+use support::{FRISWELL_STEEL, design, disc, ordinary, rotor, spring, steel_shaft};
+
+fn causes(kind: ModelKind, design: &Design, tolerance: f64) -> Vec<Causes> {
+    let rotors = Rotors::new(design).unwrap();
+    let lines = frequency_lines(&design.analysis);
+    let force = |kind| solve(kind, design, &rotors, &lines).unwrap().mesh_force;
+    let modes = ModalComparison::new(kind, design, &rotors).unwrap();
+    let bands = disagreement_bands(&lines, &force(kind), &force(ModelKind::Fe), tolerance);
+    bands.into_iter().map(|band| Causes::new(&modes, &rotors, band)).collect()
+}
+
+proptest! {
+    #![proptest_config(config(40))]
+
+    /// Every line beyond the tolerance lies in one band, every other in none; the worst is the worst.
+    #[test]
+    fn bands_hold_exactly_the_lines_beyond_the_tolerance(levels in prop::collection::vec(-9.0_f64..9.0, 1..40), tolerance in 0.5_f64..6.0) {
+        let lines: Vec<f64> = (0..levels.len()).map(|i| 10.0 + i as f64).collect();
+        let force: Vec<Complex64> = levels.iter().map(|db| Complex64::from(10_f64.powf(db / 20.0))).collect();
+        let fe = vec![Complex64::from(1.0); levels.len()];
+        let bands = disagreement_bands(&lines, &force, &fe, tolerance);
+        let differences = difference_db(&force, &fe);
+        for (f, d) in lines.iter().zip(&differences) {
+            let inside = bands.iter().filter(|b| (b.from_hz..=b.to_hz).contains(f)).count();
+            prop_assert_eq!(inside, usize::from(d.abs() > tolerance));
+        }
+        for pair in bands.windows(2) {
+            prop_assert!(pair[1].from_hz - pair[0].to_hz > 1.5);
+        }
+        for band in bands {
+            let own = lines.iter().zip(&differences).filter(|(f, _)| (band.from_hz..=band.to_hz).contains(f));
+            let worst = own.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap();
+            prop_assert_eq!((*worst.0, *worst.1), (band.worst_at_hz, band.worst_db));
+        }
+    }
+
+    /// k_m (h . phi)^2 / lambda is a share of the strain energy, the motions make up all of the kinetic energy, and every mode has a name.
+    #[test]
+    fn strain_shares_and_names(design in designs()) {
+        let rotors = Rotors::new(&design).unwrap();
+        for kind in [ModelKind::Fe, ModelKind::Enhanced, ModelKind::Basic, ModelKind::Reduced(2)] {
+            let model = Model::new(kind, &design, &rotors).unwrap();
+            for mode in Modes::new(&model, 30).unwrap().0 {
+                let lambda = (std::f64::consts::TAU * mode.frequency_hz).powi(2);
+                let top = model.pinion.coordinates.len();
+                let parts = [mode.shape.rows(0, top).into_owned(), mode.shape.rows(top, mode.shape.len() - top).into_owned()];
+                let strain: f64 = model.rotors().iter().zip(&parts).map(|(r, x)| x.dot(&(&r.stiffness * x))).sum();
+                if mode.frequency_hz > 10.0 {
+                    // the rest of the strain is in shafts, bearings and drives
+                    let rest = strain / lambda;
+                    prop_assert!((mode.mesh_strain_share + rest - 1.0).abs() < 1e-5, "{} {rest}", mode.mesh_strain_share);
+                }
+                let all: f64 = mode.motions.iter().flatten().sum();
+                prop_assert!((all - 1.0).abs() < 1e-9);
+                prop_assert!(!mode.name().is_empty());
+                let most = [mode.pinion, mode.gear].into_iter().flat_map(|s| [s.lateral, s.axial, s.tilt, s.torsion]);
+                prop_assert_eq!(mode.dominant().share, most.fold(0.0, f64::max));
+            }
+        }
+    }
+
+    /// A model that is finite elements in other words has no band; whatever is said of others has one to five sentences.
+    #[test]
+    fn something_is_said_of_every_band(design in designs()) {
+        prop_assert!(causes(ModelKind::Reduced(usize::MAX), &design, 0.01).is_empty());
+        for kind in [ModelKind::Enhanced, ModelKind::Basic, ModelKind::Reduced(1)] {
+            for causes in causes(kind, &design, 3.0) {
+                let sentences = causes.sentences();
+                prop_assert!((1..=5).contains(&sentences.len()), "{sentences:?}");
+                prop_assert!(sentences.iter().all(|s| s.ends_with('.') && !s.contains("NaN") && !s.contains("inf ")), "{sentences:?}");
+            }
+        }
+    }
+}
+
+/// A pinion held alike on both sides of its mesh: its first bending mode does not tilt there (theory of eqs. 56, 57).
+#[test]
+fn symmetric_straddle_mounting_falls_back_on_the_static_inertia() {
+    let stiff = [4e8, 2e8, 4e8, 0.0, 0.0];
+    let mut pinion = rotor(
+        vec![steel_shaft(0.1, 0.03, 4), steel_shaft(0.1, 0.03, 4)],
+        vec![disc(0.1, 1.0, 1e-3, 8e-4)],
+        vec![spring(0.0, stiff), spring(0.2, stiff)],
+    );
+    pinion.mesh_position = 0.1;
+    let whole = design(BeamTheory::Timoshenko, FRISWELL_STEEL, pinion, ordinary().gear);
+    let all = causes(ModelKind::Enhanced, &whole, 0.5);
+    let figures = |causes: &Causes| causes.planes.clone();
+    assert!(
+        all.iter().flat_map(figures).all(|p| p.inertia_fallback == (p.rotor.side == Side::Pinion) && !p.mass_fallback)
+    );
+    let said: Vec<String> = all.iter().flat_map(Causes::sentences).collect();
+    assert!(
+        said.iter().any(|s| s.starts_with("The inertia of the pinion in the") && s.contains("is the static one")),
+        "{said:#?}"
+    );
+    assert!(!said.iter().any(|s| s.contains("of the gear") && s.contains("static one")), "{said:#?}");
+    // the basic model never falls back
+    assert!(causes(ModelKind::Basic, &whole, 3.0).iter().flat_map(figures).all(|p| !p.inertia_fallback));
+}
+
+/// Torsion of the shaft between mesh and gear wheel is in no lumped model, whose shaft turns as one.
+#[test]
+fn a_mode_that_lumped_models_lack_is_named() {
+    let design = read(library::SHIPPED[0].text).design.unwrap();
+    let missing: Vec<Causes> = causes(ModelKind::Enhanced, &design, 3.0)
+        .into_iter()
+        .filter(|causes| causes.responsible.is_some_and(|r| r.fe.is_some() && r.lumped.is_none()))
+        .collect();
+    assert!(!missing.is_empty());
+    for causes in missing {
+        let (name, hz, _) = causes.mode.clone().unwrap();
+        assert!(causes.unpaired.iter().any(|mode| mode.frequency_hz == hz && mode.name == name));
+        assert!(causes.shift.is_none());
+        assert!(causes.sentences()[1].ends_with("is missing in the enhanced model."), "{:?}", causes.sentences());
+    }
+}
+
+/// The same model with gear's axial mass off by a tenth: modes are all there, one of them lies elsewhere.
+#[test]
+fn a_shifted_pair_is_named() {
+    let design = ordinary();
+    let rotors = Rotors::new(&design).unwrap();
+    let mut modes = ModalComparison::new(ModelKind::Reduced(usize::MAX), &design, &rotors).unwrap();
+    // stands in for the lumped model: every mode as in finite elements, one of them 3 % higher
+    modes.lumped = modes.fe.clone();
+    modes.lumped_model = modes.fe_model.clone();
+    modes.pairs =
+        (0..modes.fe.0.len()).map(|i| bevelscope::agreement::ModePair { lumped: i, fe: i, mac: 1.0 }).collect();
+    let strongest =
+        (1..12).max_by(|&a, &b| modes.fe.0[a].participation.total_cmp(&modes.fe.0[b].participation)).unwrap();
+    modes.lumped.0[strongest].frequency_hz *= 1.03;
+    let at = modes.fe.0[strongest].frequency_hz;
+    let band = DisagreementBand { from_hz: at, to_hz: at, worst_db: 6.0, worst_at_hz: at };
+    let causes = Causes::new(&modes, &rotors, band);
+    let responsible = causes.responsible.unwrap();
+    assert_eq!((responsible.fe, responsible.lumped), (Some(strongest), Some(strongest)));
+    assert!((responsible.share - 1.0).abs() < 1e-12, "pairs that agree cancel: {}", responsible.share);
+    assert!((causes.shift.unwrap().percent - 3.0).abs() < 1e-9);
+    assert!(causes.unpaired.is_empty());
+    assert!(causes.sentences()[1].contains("+3.0 %"), "{:?}", causes.sentences());
+    // the same mode without partner wins over all equal pairs
+    modes.pairs.retain(|pair| pair.fe != strongest);
+    modes.lumped.0.truncate(strongest);
+    modes.pairs.retain(|pair| pair.lumped < strongest);
+    let alone = Causes::new(&modes, &rotors, band).responsible.unwrap();
+    assert_eq!((alone.fe, alone.lumped), (Some(strongest), None));
+}
+
+#[test]
+fn speed_of_a_mesh_order() {
+    let mut design = ordinary();
+    assert_eq!(pinion_speed_rpm(&design, 500.0), None);
+    design.pinion.teeth = Some(10);
+    // f = N n / 60
+    assert_eq!(pinion_speed_rpm(&design, 500.0), Some(3000.0));
+}
