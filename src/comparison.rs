@@ -123,13 +123,26 @@ pub fn compare_over(
     band: Option<[f64; 2]>,
     observer: &mut Observer<'_>,
 ) -> Result<Comparison, SolveError> {
-    let rotors = Rotors::new(design)?;
+    compare_rotors(design, &Rotors::new(design)?, band, observer)
+}
+
+/// As [`compare_over`], of a design whose rotors are there already.
+///
+/// # Errors
+///
+/// As [`compare_over`].
+pub fn compare_rotors(
+    design: &Design,
+    rotors: &Rotors,
+    band: Option<[f64; 2]>,
+    observer: &mut Observer<'_>,
+) -> Result<Comparison, SolveError> {
     // large matrices are filled before any is solved
     if observer(0.0).is_break() {
         return Err(SolveError::Cancelled);
     }
     let frequency_hz = frequency_lines(&design.analysis);
-    let model = |kind| Model::new(kind, design, &rotors);
+    let model = |kind| Model::new(kind, design, rotors);
     let models = [model(ModelKind::Fe)?, model(ModelKind::Enhanced)?, model(ModelKind::Basic)?];
     let mut progress = Progress::new(&models, frequency_hz.len(), observer);
     let mut solved = |model: &Model| observed_spectrum(model, &frequency_hz, &mut progress);

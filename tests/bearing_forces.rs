@@ -15,7 +15,7 @@ use nalgebra::{DVector, Vector6};
 use num_complex::Complex64;
 use proptest::prelude::*;
 use support::dense;
-use support::random::{config, designs};
+use support::random::{Mounting, config, designs, designs_on};
 
 struct Solved {
     model: Model,
@@ -101,12 +101,17 @@ fn imbalance(design: &Design, rotors: &Rotors, solved: &Solved, line: usize) -> 
     worst
 }
 
+/// Designs on given stiffnesses, and on ball and roller bearings.
+fn mounted() -> impl Strategy<Value = Design> {
+    prop_oneof![3 => designs(), 1 => designs_on(Mounting::Rolling)]
+}
+
 proptest! {
     #![proptest_config(config(80))]
 
-    /// Newton: on each rotor the forces of bearings, mesh and drive are what accelerates its mass; Kc, Khb and rigid bearings included.
+    /// Newton: on each rotor the forces of bearings, mesh and drive are what accelerates its mass; Kc, Khb, rigid, ball and roller bearings included.
     #[test]
-    fn forces_of_finite_elements_are_the_inertia_forces(design in designs()) {
+    fn forces_of_finite_elements_are_the_inertia_forces(design in mounted()) {
         let rotors = Rotors::new(&design).unwrap();
         let solved = solve(ModelKind::Fe, &design, &rotors, 20);
         for line in 0..20 {
@@ -146,7 +151,7 @@ proptest! {
 
     /// With all fixed-interface modes the reduced model's own shapes give the forces of finite elements.
     #[test]
-    fn reduced_with_all_modes_has_the_forces_of_finite_elements(design in designs()) {
+    fn reduced_with_all_modes_has_the_forces_of_finite_elements(design in mounted()) {
         let rotors = Rotors::new(&design).unwrap();
         let [fe, all] = [ModelKind::Fe, ModelKind::Reduced(usize::MAX)].map(|kind| solve(kind, &design, &rotors, 10));
         for (a, b) in fe.forces.iter().zip(&all.forces) {
@@ -161,7 +166,7 @@ proptest! {
     /// Static shapes carry the whole load: the bearings' forces of a lumped model sum up to -K_ll q, and at low frequency they are those of
     /// finite elements.
     #[test]
-    fn static_shapes_carry_the_load_of_lumped_models(design in designs()) {
+    fn static_shapes_carry_the_load_of_lumped_models(design in mounted()) {
         let rotors = Rotors::new(&design).unwrap();
         let [fe, enhanced, basic] = ModelKind::ALL.map(|kind| solve(kind, &design, &rotors, 6));
         for lumped in [&enhanced, &basic] {

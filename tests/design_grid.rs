@@ -269,7 +269,7 @@ fn what_cannot_be_typed_says_what_can() {
         (0, 3, "600 N/um", Err("unknown unit `N/um`; accepted: N/rad, kN/rad, MN/rad, lbf/rad")),
         (0, 3, "2 lbf/in", Err("unknown unit `lbf/in`; accepted: N/rad, kN/rad, MN/rad, lbf/rad")),
         (3, 0, "600 N/um", Err("unknown unit `N/um`; accepted: N, kN, MN, lbf")),
-        (3, 0, "x", Err("a number is wanted in N, e.g. -7e6 or -7000 kN")),
+        (3, 0, "x", Err("a number is wanted in N, e.g. -5000 or -5 kN")),
     ] {
         let edit = Edit::from_typed(&entry(i, j), typed);
         let spelled =

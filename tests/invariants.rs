@@ -162,6 +162,8 @@ fn modules_know_what_the_architecture_says() {
                 "response",
                 "model",
                 "rotor",
+                "bearing",
+                "gear",
                 "design",
                 "number",
                 "text",

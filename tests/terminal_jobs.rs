@@ -159,7 +159,7 @@ fn ascii_stays_ascii_whatever_the_curves_are_drawn_with() {
         terminal.press("b");
         terminal.wait_for_text("curves: ASCII points");
         terminal.press("mj");
-        terminal.wait_for_text("Designs 2 of 3");
+        terminal.wait_for_text("Designs 2 of 7");
         terminal.press("c");
         terminal.wait_for_text("differences");
         terminal.press("b");
@@ -167,7 +167,7 @@ fn ascii_stays_ascii_whatever_the_curves_are_drawn_with() {
         terminal.press("b");
         terminal.wait_for_text("curves: ASCII points");
         terminal.press("q");
-        terminal.wait_for_text("Designs 2 of 3");
+        terminal.wait_for_text("Designs 2 of 7");
         terminal.press("e");
         terminal.wait_for_text("[F1 segments]");
         terminal.press("2b");

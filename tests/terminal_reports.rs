@@ -176,7 +176,7 @@ fn a_log_that_fails_stops_nothing_and_one_that_cannot_be_opened_is_an_error() {
         let mut terminal = Terminal::run(command, &[("PATH", "/usr/bin:/bin")]);
         terminal.wait_for_text(FRAME);
         terminal.press("j");
-        terminal.wait_for_text("Designs 2 of 3");
+        terminal.wait_for_text("Designs 2 of 7");
         terminal.press("q");
         assert!(terminal.wait(LONG).success());
         terminal.assert_restored();

@@ -52,8 +52,8 @@ fn parse_model(text: &str) -> Result<ModelKind, String> {
 
 pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<Status, CommandError> {
     let loaded = input::load(&args.file.file, err)?;
-    let output =
-        Output::new(&loaded.design, args).map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
+    let rotors = input::rotors(&loaded, err)?;
+    let output = Output::new(&loaded.design, &rotors, args).map_err(|error| input::failed(&loaded, error))?;
     match args.format {
         Format::Json => json::write(out, &output)?,
         Format::Csv => write_csv(out, &output.bands)?,
@@ -220,14 +220,13 @@ impl From<&Causes> for BandOutput {
 }
 
 impl<'a> Output<'a> {
-    fn new(design: &'a Design, args: &Args) -> Result<Self, SolveError> {
-        let rotors = Rotors::new(design)?;
+    fn new(design: &'a Design, rotors: &Rotors, args: &Args) -> Result<Self, SolveError> {
         let frequency_hz = frequency_lines(&design.analysis);
-        let force = |kind| comparison::solve(kind, design, &rotors, &frequency_hz).map(|spectrum| spectrum.mesh_force);
+        let force = |kind| comparison::solve(kind, design, rotors, &frequency_hz).map(|spectrum| spectrum.mesh_force);
         let (fe, lumped) = (force(ModelKind::Fe)?, force(args.model)?);
         let found = disagreement_bands(&frequency_hz, &lumped, &fe, args.tolerance);
-        let modes = ModalComparison::new(args.model, design, &rotors)?;
-        let output = |band| BandOutput::from(&Causes::new(&modes, &rotors, band));
+        let modes = ModalComparison::new(args.model, design, rotors)?;
+        let output = |band| BandOutput::from(&Causes::new(&modes, rotors, band));
         let levels = sixth_octave_bands(&frequency_hz).into_iter().map(|band| LevelOutput {
             from_hz: band.low_hz,
             to_hz: band.high_hz,

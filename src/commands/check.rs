@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError, mpsc};
 
-use super::{CommandError, Format, Status};
+use super::{CommandError, Format, Status, input};
 use crate::agreement::reduced_modes_for;
 use crate::comparison;
 use crate::design::{self, LoadError, library};
@@ -153,17 +153,18 @@ fn checked(file: &Path, args: &Args) -> Row {
         Err(error @ LoadError::Invalid { .. }) => return Row::failed(file, error.to_string()),
         Err(error) => return Row::failed(file, error.reason()),
     };
-    let warnings = loaded.render_warnings();
     let design = &loaded.design;
-    let compared = comparison::compare_over(design, args.band.map(|band| band.0), &mut |_| ControlFlow::Continue(()));
-    let compared = match compared {
+    let rotors = match Rotors::new(design) {
+        Ok(rotors) => rotors,
+        Err(error) => return Row::failed(file, error.to_string()),
+    };
+    let warnings = loaded.render_warnings() + &input::mean_state_warnings(&loaded, &rotors);
+    let band = args.band.map(|band| band.0);
+    let compared = match comparison::compare_rotors(design, &rotors, band, &mut |_| ControlFlow::Continue(())) {
         Ok(compared) => compared,
         Err(error) => return Row::failed(file, error.to_string()),
     };
-    let enough = |rotors: Rotors| {
-        reduced_modes_for(design, &rotors, &compared.frequency_hz, &compared.fe.mesh_force, REDUCED_DB)
-    };
-    let reduced_modes = Rotors::new(design).ok().and_then(enough);
+    let reduced_modes = reduced_modes_for(design, &rotors, &compared.frequency_hz, &compared.fe.mesh_force, REDUCED_DB);
     let agreement = &compared.enhanced_agreement;
     let limited = args.max_rms_db.is_some() || args.min_limit_hz.is_some();
     let within = args.max_rms_db.is_none_or(|limit| agreement.rms_db <= limit)

@@ -11,6 +11,7 @@ use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
+use crate::model::Rotors;
 use crate::text::printable;
 use crate::tui::facts;
 use crate::tui::files::{FileDone, FileRequest, Followed};
@@ -157,6 +158,16 @@ impl Backend for Files {
 
     fn compare(&self, design: &design::Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         comparison::compare_over(design, None, observer)
+    }
+
+    fn compare_edited(
+        &self,
+        design: &design::Design,
+        rotors: &mut Option<Rotors>,
+        observer: &mut Observer<'_>,
+    ) -> Result<Comparison, SolveError> {
+        let rotors = rotors.insert(Rotors::reusing(design, rotors.as_ref())?);
+        comparison::compare_rotors(design, rotors, None, observer)
     }
 
     fn read(&self, path: &Path) -> Result<String, String> {

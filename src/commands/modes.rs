@@ -32,8 +32,9 @@ pub struct Args {
 
 pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<Status, CommandError> {
     let loaded = input::load(&args.file.file, err)?;
-    let solved = solve(&loaded.design, &args.models.kinds(), args.shapes)
-        .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
+    let rotors = input::rotors(&loaded, err)?;
+    let solved = solve(&loaded.design, &rotors, &args.models.kinds(), args.shapes)
+        .map_err(|error| input::failed(&loaded, error))?;
     match args.format {
         Format::Json => json::write(out, &Output::new(&loaded.design, &solved))?,
         Format::Table => write_tables(out, &loaded.design, &solved)?,
@@ -65,20 +66,19 @@ struct Partner {
     mac: f64,
 }
 
-fn solve(design: &Design, kinds: &[ModelKind], shapes: bool) -> Result<Vec<Solved>, SolveError> {
-    let rotors = Rotors::new(design)?;
+fn solve(design: &Design, rotors: &Rotors, kinds: &[ModelKind], shapes: bool) -> Result<Vec<Solved>, SolveError> {
     let modes = |kind| -> Result<(Model, Modes), SolveError> {
-        let model = Model::new(kind, design, &rotors)?;
+        let model = Model::new(kind, design, rotors)?;
         let modes = Modes::new(&model, MOST_FE_MODES).map_err(|error| SolveError::Response { kind, error })?;
         Ok((model, modes))
     };
     let fe = modes(ModelKind::Fe)?;
-    let enhanced = Model::new(ModelKind::Enhanced, design, &rotors)?;
+    let enhanced = Model::new(ModelKind::Enhanced, design, rotors)?;
     let shapes_of = |model: &Model, modes: &Modes| -> Result<Option<Shapes>, SolveError> {
         if !shapes {
             return Ok(None);
         }
-        let recovery = model.recovery(design, &rotors)?;
+        let recovery = model.recovery(design, rotors)?;
         let mac = mac_matrix((model, modes), (&fe.0, &fe.1), &enhanced);
         Ok(Some(Shapes {
             mac: mac.row_iter().map(|row| row.iter().copied().collect()).collect(),

@@ -50,8 +50,9 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let loaded = input::load(&args.file.file, err)?;
     let design = &loaded.design;
     let frequency_hz = frequency_lines(&design.analysis);
-    let models = solve(design, &args.models.kinds(), &frequency_hz, args.bearing_forces)
-        .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
+    let rotors = input::rotors(&loaded, err)?;
+    let models = solve(design, &rotors, &args.models.kinds(), &frequency_hz, args.bearing_forces)
+        .map_err(|error| input::failed(&loaded, error))?;
     match args.format {
         Format::Csv => csv::spectra(out, &frequency_hz, &models.iter().map(Solved::columns).collect::<Vec<_>>())?,
         Format::Json => json::write(out, &Output::new(design, &frequency_hz, &models))?,
@@ -65,18 +66,18 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
 
 fn solve(
     design: &Design,
+    rotors: &Rotors,
     kinds: &[ModelKind],
     frequency_hz: &[f64],
     bearing_forces: bool,
 ) -> Result<Vec<Solved>, SolveError> {
-    let rotors = Rotors::new(design)?;
     let solved = |&kind: &ModelKind| {
         if !bearing_forces {
-            let spectrum = comparison::solve(kind, design, &rotors, frequency_hz)?;
+            let spectrum = comparison::solve(kind, design, rotors, frequency_hz)?;
             return Ok(Solved { kind, spectrum, bearings: None });
         }
         let WithBearings { spectrum, bearings, recovery } =
-            comparison::solve_with_bearings(kind, design, &rotors, frequency_hz)?;
+            comparison::solve_with_bearings(kind, design, rotors, frequency_hz)?;
         Ok(Solved { kind, spectrum, bearings: Some((bearings, recovery)) })
     };
     kinds.iter().map(solved).collect()

@@ -3,7 +3,7 @@
 use nalgebra::Vector6;
 
 use super::{BearingError, RotorError, Stations, mean_shaft, mesh_vector, signed};
-use crate::bearing::{self, State, Vector, equilibrium, frames};
+use crate::bearing::{self, State, Vector, Warning, equilibrium, frames};
 use crate::design::{Bearing, BearingModel, Design, MeanState, Side};
 
 /// A ball or roller bearing at its mean state.
@@ -52,6 +52,13 @@ impl MeanStates {
             }
         }
         Ok(Self { inputs, bearings })
+    }
+
+    /// What is unusual about the states, each with the place of its bearing.
+    pub fn warnings(&self) -> impl Iterator<Item = (usize, &Warning)> {
+        let states =
+            self.bearings.iter().enumerate().filter_map(|(place, rolling)| Some((place, &rolling.as_ref()?.state)));
+        states.flat_map(|(place, state)| state.warnings.iter().map(move |warning| (place, warning)))
     }
 
     /// Mean load on the rotor at its mesh station (order x, y, z, thx, thy, thz; N and N m), where a bearing's state follows from it.

@@ -7,6 +7,7 @@ use super::recovery::{Kept, Look};
 use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
+use crate::model::Rotors;
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
 pub trait Backend: Send + Sync {
@@ -23,6 +24,22 @@ pub trait Backend: Send + Sync {
     ///
     /// [`SolveError`] says why there is no solution.
     fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError>;
+
+    /// As [`compare`](Self::compare), of a design that is being edited: `rotors` are those of the edit before, and become its own, so that
+    /// what has not changed of them need not be found again.
+    ///
+    /// # Errors
+    ///
+    /// As [`compare`](Self::compare).
+    fn compare_edited(
+        &self,
+        design: &Design,
+        rotors: &mut Option<Rotors>,
+        observer: &mut Observer<'_>,
+    ) -> Result<Comparison, SolveError> {
+        let _ = rotors;
+        self.compare(design, observer)
+    }
 
     /// The text of a design file, also of one that is [broken](BrokenDesign).
     ///

@@ -22,10 +22,10 @@ use super::message::Message;
 use super::recovery::{Keeper, Kept};
 use super::traces::Traces;
 use crate::agreement::Agreement;
-use crate::comparison::{Observer, SolveError};
+use crate::comparison::{Comparison, SolveError};
 use crate::crash;
 use crate::design::Design;
-use crate::model::Caveat;
+use crate::model::{Caveat, Rotors};
 
 /// Numbers the requests: of two results for the same thing, the one with the higher ticket counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -89,7 +89,7 @@ fn perform_while(job: &Job, backend: &dyn Backend, wanted: &dyn Fn() -> bool, re
     };
     report(Message::Loaded { ticket, path: path.clone(), result: Ok(Arc::clone(&loaded)) });
     let mut observer = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-    if let Some(result) = solve(&loaded.design, backend, with_traces, &mut observer) {
+    if let Some(result) = solve(&loaded.design, with_traces, || backend.compare(&loaded.design, &mut observer)) {
         report(Message::Solved { ticket, path, result });
     }
 }
@@ -104,10 +104,11 @@ pub fn change_file(request: FileRequest, backend: &dyn Backend) -> Message {
 /// The shortest time between two reports of progress.
 const PROGRESS: Duration = Duration::from_millis(100);
 
-/// Solves a design as it is being edited, and reports progress where it takes long.
+/// Solves a design as it is being edited, and reports progress where it takes long. `rotors` are those of the edit before.
 pub fn perform_edited(
     job: &EditedJob,
     backend: &dyn Backend,
+    rotors: &mut Option<Rotors>,
     wanted: &dyn Fn() -> bool,
     report: &mut dyn FnMut(Message),
 ) {
@@ -120,7 +121,7 @@ pub fn perform_edited(
         }
         if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    if let Some(result) = solve(&design, backend, true, &mut observer) {
+    if let Some(result) = solve(&design, true, || backend.compare_edited(&design, rotors, &mut observer)) {
         report(Message::SolvedEdited { ticket, path, result });
     }
 }
@@ -128,13 +129,12 @@ pub fn perform_edited(
 /// The solution or why there is none; nothing if the observer ended it.
 fn solve(
     design: &Design,
-    backend: &dyn Backend,
     with_traces: bool,
-    observer: &mut Observer<'_>,
+    compare: impl FnOnce() -> Result<Comparison, SolveError>,
 ) -> Option<Result<Solved, String>> {
     let started = Instant::now();
     let solved = guarded(|| {
-        let comparison = backend.compare(design, observer)?;
+        let comparison = compare()?;
         let elapsed = started.elapsed();
         let traces = with_traces.then(|| Box::new(Traces::new(&comparison, &design.analysis)));
         let summary = Summary {
@@ -258,6 +258,7 @@ impl Worker {
         // a receiver that is gone means that the program ends: nothing is left to be told
         let mut report = move |message| drop(sender.send(message));
         let work = move || {
+            let mut rotors = None;
             while let Some(task) = shared.next(&take) {
                 let is_latest = |ticket: Ticket| shared.latest.load(Ordering::Relaxed) == ticket.0;
                 match task {
@@ -272,7 +273,7 @@ impl Worker {
                     Task::Fill(job) => perform(&job, &*backend, &mut report),
                     Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
                     Task::SolveEdited(job) => {
-                        perform_edited(&job, &*backend, &|| is_latest(job.ticket), &mut report);
+                        perform_edited(&job, &*backend, &mut rotors, &|| is_latest(job.ticket), &mut report);
                     }
                     Task::File(job) => perform_file(job, &*backend).into_iter().for_each(&mut report),
                     Task::List => {

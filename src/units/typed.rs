@@ -101,7 +101,7 @@ impl Quantity {
             Self::Inertia => "7e-4 or 700 kg mm^2",
             Self::Stiffness => "6e8 or 600 N/um",
             Self::AngularStiffness => "1.5e5 or 150 kN m/rad",
-            Self::Force => "5000 or 5 kN",
+            Self::Force => "-5000 or -5 kN",
             Self::ForcePerRadian => "-7e6 or -7000 kN/rad",
             Self::ElasticModulus => "206 or 206000 MPa",
             Self::Density => "7850 or 7.85 g/cm^3",

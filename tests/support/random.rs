@@ -3,11 +3,11 @@
 //! Sizes, stiffnesses and inertias lie within two decades of an automotive final drive. Everything the solver tells apart occurs: two to
 //! five segments, solid or hollow, of two materials; two or three bearings, diagonal, full 6x6 or rigid; Kc, Khb where it is legal;
 //! bodies; both beam theories, both damping models, both line spacings; the mesh and the drive anywhere, on stations of other things
-//! too. No element is shorter than a fifth of its diameter.
+//! too; a rotor without a drive. No element is shorter than a fifth of its diameter.
 
 use bevelscope::design::{
-    Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
-    Hold, Material, Mesh, MeshVectors, RotorDesign, Segment,
+    Analysis, BallBearing, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive,
+    FrequencySpacing, Hold, Material, Mesh, MeshVectors, Preload, RollerBearing, RotorDesign, Segment,
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -36,6 +36,8 @@ pub enum Mounting {
     Isotropic,
     /// Elastic bearings only
     Elastic,
+    /// Angular contact ball and tapered roller bearings under preload
+    Rolling,
 }
 
 /// Designs with any bearings.
@@ -241,7 +243,51 @@ fn bearing_models(mounting: Mounting) -> BoxedStrategy<BearingModel> {
         Mounting::Any => prop_oneof![2 => diagonal, 2 => full_matrices(), 1 => hold].boxed(),
         Mounting::Isotropic => prop_oneof![3 => isotropic, 1 => hold].boxed(),
         Mounting::Elastic => prop_oneof![diagonal, full_matrices()].boxed(),
+        Mounting::Rolling => rolling().boxed(),
     }
+}
+
+/// Bearings of 35 x 72 mm, give or take, whose thrust points one way or the other.
+fn rolling() -> impl Strategy<Value = BearingModel> {
+    let loads = (any::<bool>(), log_range(1000.0, 10_000.0), -0.2..0.2, -0.2..0.2);
+    let preload = |(opposite, y, x, z): (bool, f64, f64, f64)| {
+        (if opposite { -1.0 } else { 1.0 }, Preload { x: x * y, y: if opposite { -y } else { y }, z: z * y })
+    };
+    (any::<bool>(), 15.0..40.0_f64, loads, 8_usize..20).prop_map(move |(is_ball, angle, loads, elements)| {
+        let (sign, preload) = preload(loads);
+        let contact_angle = sign * angle.to_radians();
+        if is_ball {
+            BearingModel::Ball(BallBearing {
+                elements,
+                contact_angle,
+                clearance: 0.0,
+                contact_stiffness: Some(8.5e9),
+                groove_distance: Some(4.5e-4),
+                pitch_radius: Some(0.027),
+                ball_diameter: None,
+                pitch_diameter: None,
+                inner_groove_factor: None,
+                outer_groove_factor: None,
+                displacement: None,
+                preload: Some(preload),
+                mean_load: None,
+                mounting_preload: 0.0,
+            })
+        } else {
+            BearingModel::Roller(RollerBearing {
+                elements,
+                contact_angle,
+                clearance: 0.0,
+                pitch_radius: 0.0275,
+                contact_stiffness: Some(9.6e8),
+                roller_length: Some(0.017),
+                displacement: None,
+                preload: Some(preload),
+                mean_load: None,
+                mounting_preload: 0.0,
+            })
+        }
+    })
 }
 
 /// B B^T over five coordinates, in the units of a bearing: positive definite, all couplings present, thy free.

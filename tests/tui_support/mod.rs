@@ -341,7 +341,7 @@ impl Screen {
     /// Solves an edited design and takes in the result.
     pub fn perform_edited(&mut self, job: &EditedJob) {
         let mut messages = Vec::new();
-        worker::perform_edited(job, &*self.backend, &|| true, &mut |message| messages.push(message));
+        worker::perform_edited(job, &*self.backend, &mut None, &|| true, &mut |message| messages.push(message));
         for message in messages {
             let effects = self.app.update(message);
             self.carry_out(effects);

@@ -156,7 +156,7 @@ pub(super) fn matrix(steps: &Steps, bearing: &KeyPath, rows: &[[String; 6]; 6]) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::{Bearing, DiagonalBearing, MatrixBearing, RigidBearing};
+    use crate::design::{BallBearing, Bearing, DiagonalBearing, MatrixBearing, Preload, RigidBearing, RollerBearing};
 
     // A key that has another name in the schema would be left out of a new model without a word.
     #[test]
@@ -166,5 +166,16 @@ mod tests {
         assert!(MatrixBearing::TABLE.field(STIFFNESS).is_some());
         assert!(RigidBearing::TABLE.field(HOLD).is_some());
         assert!(Bearing::TABLE.field(AXIAL_SERIES).is_some());
+        for (word, table) in [("ball", BallBearing::TABLE), ("roller", RollerBearing::TABLE)] {
+            let (_, variants) = choice(&"pinion.bearing[0]".parse().unwrap()).unwrap();
+            assert_eq!(table_of(variants, word).unwrap().name, table.name);
+            let typical = TYPICAL.iter().filter(|typical| typical.0 == word).map(|typical| typical.1);
+            let keys: Vec<&str> = typical.chain(MEAN_STATES).chain([PITCH_RADIUS]).collect();
+            assert!(keys.len() > 6 && keys.iter().all(|key| table.field(key).is_some()), "{keys:?}");
+            // what a new bearing must have is there
+            let required = table.fields.iter().filter(|field| field.presence == Presence::Required);
+            assert!(required.map(|field| field.key).all(|key| keys.contains(&key)), "{keys:?}");
+        }
+        assert!(Preload::TABLE.field("y_n").is_some());
     }
 }
