@@ -157,3 +157,19 @@ fn switching_a_bearing_to_balls_or_rollers_gives_a_valid_design() {
         assert_eq!(editor.text(), text);
     }
 }
+
+/// Ten of the 21 rollers of the axle's loaded gear bearing face away from the load; whoever solves the design is told.
+#[test]
+fn unloaded_elements_are_a_warning_wherever_a_design_is_solved() {
+    const WARNING: &str = "tapered-axle.toml: warning: gear.bearing[0]: \"B1\" in its mean state: 10 of 21 rolling elements carry no load";
+    for command in ["solve", "modes", "bands"] {
+        let output = bevelscope(&[command, "designs/tapered-axle.toml"]);
+        assert!(output.status.success());
+        assert!(String::from_utf8_lossy(&output.stderr).contains(WARNING), "{command}");
+        let none = bevelscope(&[command, "designs/straddle-helical.toml"]);
+        assert!(none.status.success() && none.stderr.is_empty(), "{command}");
+    }
+    let output = bevelscope(&["check", "designs/tapered-axle.toml"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success() && text.contains("tapered-axle !") && text.contains(WARNING), "{text}");
+}

@@ -10,10 +10,11 @@ use std::time::Duration;
 
 use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
+use bevelscope::model::Rotors;
 use bevelscope::tui::compare::CompareJob;
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
-use bevelscope::tui::worker::{Ticket, Worker};
+use bevelscope::tui::worker::{EditedJob, Ticket, Worker};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use tui_support::{Screen, UNICODE, comparison, design, paths};
 
@@ -38,6 +39,42 @@ impl Backend for Endless {
             std::thread::sleep(Duration::from_millis(1));
         }
         Ok(comparison(design))
+    }
+}
+
+/// Says whether rotors of an earlier edit were there.
+struct Reusing(Sender<bool>);
+
+impl Backend for Reusing {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        Ok(design(&path.file_stem().unwrap().to_string_lossy()).into())
+    }
+
+    fn compare(&self, design: &Design, _: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        Ok(comparison(design))
+    }
+
+    fn compare_edited(
+        &self,
+        design: &Design,
+        rotors: &mut Option<Rotors>,
+        _: &mut Observer<'_>,
+    ) -> Result<Comparison, SolveError> {
+        self.0.send(rotors.is_some()).unwrap();
+        *rotors = Some(Rotors::new(design)?);
+        Ok(comparison(design))
+    }
+}
+
+#[test]
+fn an_edit_is_solved_with_the_rotors_of_the_one_before() {
+    let (seen, had_rotors) = channel();
+    let (sender, _messages) = channel();
+    let worker = Worker::start(Arc::new(Reusing(seen)), &sender).unwrap();
+    for (ticket, expected) in [(1, false), (2, true), (3, true)] {
+        let path = paths(&["a"])[0].clone();
+        worker.solve_edited(EditedJob { ticket: Ticket(ticket), path, design: Arc::new(design("a")) });
+        assert_eq!(had_rotors.recv_timeout(LONG), Ok(expected), "{ticket}");
     }
 }
 

@@ -35,7 +35,7 @@ pub fn mean_state_warnings(loaded: &Loaded, rotors: &Rotors) -> String {
             let (file, rotor, bearing) =
                 (printable(&loaded.name), side.name(), &loaded.design.rotor(side).bearings[place]);
             let name = bearing.name.escape_debug();
-            format!("{file}: warning: {rotor}.bearing[{place}]: \"{name}\" under its mean load: {warning}\n")
+            format!("{file}: warning: {rotor}.bearing[{place}]: \"{name}\" in its mean state: {warning}\n")
         })
     };
     Side::BOTH.into_iter().flat_map(of).collect()
