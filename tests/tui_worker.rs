@@ -10,6 +10,7 @@ use std::time::Duration;
 
 use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
+use bevelscope::design::library::SHIPPED;
 use bevelscope::model::Rotors;
 use bevelscope::tui::compare::CompareJob;
 use bevelscope::tui::keymap::Mode;
@@ -61,7 +62,8 @@ impl Backend for Reusing {
         _: &mut Observer<'_>,
     ) -> Result<Comparison, SolveError> {
         self.0.send(rotors.is_some()).unwrap();
-        *rotors = Some(Rotors::new(design)?);
+        let solvable = bevelscope::design::read(SHIPPED[0].text).design.unwrap();
+        *rotors = Some(Rotors::new(&solvable)?);
         Ok(comparison(design))
     }
 }
