@@ -170,7 +170,9 @@ fn ascii_stays_ascii_whatever_the_curves_are_drawn_with() {
         terminal.wait_for_text("Designs 2 of 3");
         terminal.press("e");
         terminal.wait_for_text("[F1 segments]");
-        terminal.press("2b");
+        terminal.press("\x1bOQ");
+        terminal.wait_for_text("[F2 bearings]");
+        terminal.press("b");
         terminal.wait_for_text("curves: ASCII letters");
         terminal.press("?");
         terminal.wait_for_text("Help");
