@@ -88,7 +88,7 @@ fn a_finding_is_copied_with_where_it_stands() {
 fn an_entry_of_a_matrix_has_its_unit_and_the_matrix_is_six_lines() {
     let matrix = "e<F2>lll l<Enter>";
     assert_eq!(copied(&after(matrix)), "6.0e8 N/m");
-    assert_eq!(copied(&after(&format!("{matrix}jjjlll"))), "1.5e5 N·m/rad");
+    assert_eq!(copied(&after(&format!("{matrix}jjjlll"))), "1.5e5 N m/rad");
     let zero = "0.0";
     let lines = ["6.0e8", "2.5e8", "6.0e8", "1.5e5", zero, "1.5e5"].into_iter().enumerate();
     let lines = lines.map(|(row, entry)| {

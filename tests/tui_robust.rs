@@ -12,6 +12,7 @@ use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::rotor::RotorError;
 use bevelscope::tui::files::{FileDone, FileRequest};
+use bevelscope::tui::message::Effect;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
 use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, design, not_solved};
@@ -104,6 +105,17 @@ fn no_size_panics() {
             scope.spawn(work);
         }
     });
+}
+
+/// The terminal may have been smaller in between, and has lost what stood there then.
+#[test]
+fn a_size_that_is_the_known_one_again_is_drawn_whole() {
+    let mut screen = Screen::new(80, 24, UNICODE);
+    for (width, height) in [(80, 24), (1, 1), (80, 24)] {
+        screen.effects.clear();
+        screen.resize(width, height);
+        assert!(matches!(screen.effects[..], [Effect::Redraw]), "{:?}", screen.effects);
+    }
 }
 
 /// Everything that a file can say, with escape sequences in it.
