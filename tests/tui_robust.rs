@@ -3,19 +3,37 @@
 
 mod tui_support;
 
+use std::num::NonZero;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::rotor::RotorError;
 use bevelscope::tui::files::{FileDone, FileRequest};
+use bevelscope::tui::message::Effect;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
 use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, design, not_solved};
 
+/// Makes a screen that is to be drawn at every size.
+type Make = Box<dyn Fn() -> Screen + Send + Sync>;
+
+/// A screen after some keys.
+fn after(keys: &'static str, make: impl Fn() -> Screen + Send + Sync + 'static) -> Make {
+    Box::new(move || {
+        let mut screen = make();
+        screen.keys(keys);
+        screen
+    })
+}
+
 /// The states that are drawn at every size.
-fn screens() -> Vec<Screen> {
-    let mut screens: Vec<Screen> = [
+fn screens() -> Vec<Make> {
+    let library = || Screen::new(80, 24, UNICODE);
+    let tables = || Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+    let mut screens: Vec<Make> = [
         "",
         "jjj<Tab>",
         "?",
@@ -33,29 +51,17 @@ fn screens() -> Vec<Screen> {
         "e?/e<Enter>n",
     ]
     .into_iter()
-    .map(|keys| {
-        let mut screen = Screen::new(80, 24, UNICODE);
-        screen.keys(keys);
-        screen
-    })
+    .map(|keys| after(keys, library))
     .collect();
-    screens.push(Screen::new(80, 24, ASCII));
-    for keys in ["e<F2>j", "elc-5<Enter>f", "e<F2>lll l<Enter>c1 kg<Enter>"] {
-        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
-        screen.keys(keys);
-        screens.push(screen);
-    }
-    screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
-    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
-        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
-        screen.keys(keys);
-        screens.push(screen);
-    }
+    screens.push(Box::new(|| Screen::new(80, 24, ASCII)));
+    screens.push(Box::new(|| Screen::with(&[], 80, 24, UNICODE, MadeUp)));
+    let in_tables = ["e<F2>j", "elc-5<Enter>f", "e<F2>lll l<Enter>c1 kg<Enter>", "e:row", "e?/e<Enter>n", "ea<Esc>q"];
+    screens.extend(in_tables.map(|keys| after(keys, tables)));
     screens
 }
 
-#[test]
-fn no_size_panics() {
+/// Every width at three heights, every height at three widths, and a thousand at random.
+fn sizes() -> Vec<(u16, u16)> {
     let mut sizes: Vec<(u16, u16)> = Vec::new();
     for height in [1, 24, 200] {
         sizes.extend((1..=200).map(|width| (width, height)));
@@ -69,18 +75,46 @@ fn no_size_panics() {
         (state >> 16) as u16
     };
     sizes.extend((0..1000).map(|_| (random() % 220 + 1, random() % 90 + 1)));
-    for screen in &mut screens() {
-        for &(width, height) in &sizes {
-            screen.resize(width, height);
-            let lines: Vec<_> = screen.text().lines().map(str::to_owned).collect();
-            assert_eq!(lines.len(), usize::from(height));
-            if width >= 60 && height >= 18 {
-                assert!(lines[0].starts_with(" bevelscope"), "{width}x{height}");
-                assert!(!lines[usize::from(height) - 1].is_empty(), "{width}x{height}");
-            } else if width >= 20 && height >= 6 {
-                assert!(lines.concat().contains("60x18"), "{width}x{height}");
-            }
+    sizes
+}
+
+fn is_drawn_at(screen: &mut Screen, sizes: &[(u16, u16)]) {
+    for &(width, height) in sizes {
+        screen.resize(width, height);
+        let area = screen.buffer().area;
+        assert_eq!((area.width, area.height), (width, height));
+        if width >= 60 && height >= 18 {
+            assert!(screen.line(0).starts_with(" bevelscope"), "{width}x{height}");
+            assert!(!screen.line(height - 1).is_empty(), "{width}x{height}");
+        } else if width >= 20 && height >= 6 {
+            assert!(screen.text().replace('\n', "").contains("60x18"), "{width}x{height}");
         }
+    }
+}
+
+#[test]
+fn no_size_panics() {
+    let (screens, sizes, next) = (screens(), sizes(), AtomicUsize::new(0));
+    let work = || {
+        while let Some(make) = screens.get(next.fetch_add(1, Ordering::Relaxed)) {
+            is_drawn_at(&mut make(), &sizes);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, NonZero::get) {
+            scope.spawn(work);
+        }
+    });
+}
+
+/// The terminal may have been smaller in between, and has lost what stood there then.
+#[test]
+fn a_size_that_is_the_known_one_again_is_drawn_whole() {
+    let mut screen = Screen::new(80, 24, UNICODE);
+    for (width, height) in [(80, 24), (1, 1), (80, 24)] {
+        screen.effects.clear();
+        screen.resize(width, height);
+        assert!(matches!(screen.effects[..], [Effect::Redraw]), "{:?}", screen.effects);
     }
 }
 

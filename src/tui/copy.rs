@@ -27,7 +27,7 @@ impl App {
             Ok(bytes) => {
                 let lines = text.lines().count();
                 let lines = if lines > 1 { format!("{lines} lines, ") } else { String::new() };
-                self.say_in_sight(format!("sent to terminal: {lines}{}", excerpt(&text, SHOWN)));
+                self.say_in_sight(format!("sent to terminal: {lines}{}", excerpt(&text.replace('\t', " "), SHOWN)));
                 vec![Effect::Copy(bytes)]
             }
             Err(error) => {

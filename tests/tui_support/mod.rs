@@ -369,19 +369,21 @@ impl Screen {
 
     /// The lines of the screen.
     pub fn text(&self) -> String {
-        let width = usize::from(self.buffer().area.width).max(1);
-        let rows = self.buffer().content().chunks(width);
-        rows.map(|row| {
-            // what stands behind a wide character is not drawn
-            let mut hidden = 0;
-            let shown = row.iter().filter(|cell| {
-                let draw = hidden == 0;
-                hidden = if draw { cell.symbol().width().max(1) - 1 } else { hidden - 1 };
-                draw
-            });
-            shown.map(Cell::symbol).collect::<String>().trim_end().to_owned() + "\n"
-        })
-        .collect()
+        (0..self.buffer().area.height).map(|at| self.line(at) + "\n").collect()
+    }
+
+    /// One line of the screen, from above.
+    pub fn line(&self, at: u16) -> String {
+        let width = usize::from(self.buffer().area.width);
+        let row = &self.buffer().content()[usize::from(at) * width..][..width];
+        // what stands behind a wide character is not drawn
+        let mut hidden = 0;
+        let shown = row.iter().filter(|cell| {
+            let draw = hidden == 0;
+            hidden = if draw { cell.symbol().width().max(1) - 1 } else { hidden - 1 };
+            draw
+        });
+        shown.map(Cell::symbol).collect::<String>().trim_end().to_owned()
     }
 
     /// The lines of the screen with a letter for the style of each cell, and what the letters mean.
