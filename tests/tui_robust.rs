@@ -136,8 +136,11 @@ impl Backend for Hostile {
     fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {
         Ok(vec![Difference {
             is_number: false,
+            is_row: false,
             path: KeyPath::root().key(ESCAPES),
+            path_in_b: KeyPath::root().key(ESCAPES),
             label: ESCAPES.into(),
+            label_in_b: ESCAPES.into(),
             a: Some(ESCAPES.into()),
             b: Some(ESCAPES.into()),
             unit: "N/m",

@@ -76,8 +76,8 @@ fn differences(view: &CompareView) -> Option<String> {
     let [a, b] = &view.names;
     let head = ["value", a, b, "unit"].map(field).join("\t");
     let lines = differences.iter().map(|difference| {
-        let value = |value: &Option<String>| value.as_deref().unwrap_or("-").to_owned();
-        [&difference.label, &value(&difference.a), &value(&difference.b), difference.unit].map(field).join("\t")
+        let [a, b] = difference.shown();
+        [&difference.label, a, b, difference.unit].map(field).join("\t")
     });
     Some(std::iter::once(head).chain(lines).collect::<Vec<_>>().join("\n"))
 }

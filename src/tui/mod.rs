@@ -78,6 +78,8 @@ pub struct Options {
     pub keys: Keys,
     /// What is wrong with the user's keys, a few words and in full.
     pub keys_report: Option<(String, String)>,
+    /// What is to be known at the start.
+    pub notice: Option<String>,
 }
 
 /// Why the explorer did not end by the user's wish.
@@ -128,6 +130,9 @@ pub fn run(
     let mut app = App::new(library, shown_as, capabilities);
     app.clipboard = Route::detect(|name| std::env::var(name).ok());
     app.keys = options.keys;
+    if let Some(notice) = options.notice {
+        app.say(notice);
+    }
     if let Some((short, full)) = options.keys_report {
         app.complain_at_length(short, full);
     }

@@ -194,7 +194,15 @@ impl App {
         if self.is_unseen {
             return Vec::new();
         }
-        self.type_text(text)
+        let effects = self.type_text(text);
+        if self.mode.is_typing() && text.trim_end().contains(['\n', '\r']) {
+            let said = "only the first line was taken";
+            match self.editors.open_mut().filter(|_| self.below.is_empty()) {
+                Some(editing) => editing.say(said),
+                None => self.say(said),
+            }
+        }
+        effects
     }
 
     fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {

@@ -75,6 +75,10 @@ fn message(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme) -> Message {
     }
     let cursor = editing.cursor();
     let text = match (editing.target(), editing.view.place(cursor.row, cursor.column)) {
+        (Some(cell), _) if cell.column.key == "material" => {
+            let names = editing.material_names().join(", ");
+            format!("{names}: {} takes the next, {} types", keys.of(Action::CycleCell), keys.of(Action::EditCell))
+        }
         (Some(cell), _) => about_cell(cell, keys),
         (None, Some(Place::Matrix)) => format!("6x6 stiffness: {} opens it", keys.of(Action::EditCell)),
         (None, Some(Place::Name)) => {
