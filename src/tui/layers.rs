@@ -34,6 +34,9 @@ impl App {
     /// What a key or the palette asks for: of the editor first, if it is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
         crash::remember(self.mode.name(), action.name());
+        if let Some(effects) = self.act_in_spectra(action) {
+            return effects;
+        }
         match self.act_in_editor(action) {
             Some(effects) => effects,
             None => self.act(action),
