@@ -27,6 +27,7 @@ fn screens() -> Vec<Screen> {
         "D",
         "!",
         "mjc",
+        "w",
         "mjjjc",
         "mrx<Enter><Esc>!",
         "e:row",
@@ -46,7 +47,7 @@ fn screens() -> Vec<Screen> {
         screens.push(screen);
     }
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
-    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
+    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q", "w", "wav4d", "wn<Enter>", "wiix<Tab><Tab>", "wE", "ew?"] {
         let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
         screen.keys(keys);
         screens.push(screen);
@@ -144,7 +145,9 @@ fn escape_sequences_never_reach_the_screen() {
             "<Esc>D",
             "<Esc>Y<Enter>",
             "<Esc>m",
-            "gc",
+            "gw",
+            "<Enter>",
+            "<Esc><Esc>c",
             "<Esc>jc",
             ":\u{1b}\u{202e}",
             "<Esc><Esc>?/\x1b\u{7}",

@@ -55,9 +55,14 @@ impl App {
             }
             Action::Filter | Action::MoveUp | Action::MoveDown if panes => !self.library.is_empty(),
             Action::Back => self.mode != Mode::Library || !self.library.filter().is_empty(),
-            Action::Mark | Action::Rename | Action::Duplicate | Action::Delete | Action::OpenEditor => {
-                selected.is_some()
-            }
+            Action::Mark
+            | Action::Rename
+            | Action::Duplicate
+            | Action::Delete
+            | Action::OpenEditor
+            | Action::OpenSpectra => selected.is_some(),
+            Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
+            Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
             Action::NextOffer => self.recovery.offers.all.len() > 1,
             Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),

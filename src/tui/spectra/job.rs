@@ -173,16 +173,13 @@ impl SpectraJob {
             return Ok(Arc::clone(subject));
         }
         let text = self.text.clone().or_else(|| backend.read(&self.path).ok());
-        let (design, hash) = match text {
-            Some(text) => {
-                let reading = design::read(&text);
-                let error = reading.errors().next().map(sentence).unwrap_or_default();
-                (reading.design.ok_or(Ended::Failed(error))?, Some(design::hash(text.as_bytes())))
-            }
-            None => {
-                let loaded = backend.load(&self.path).map_err(|broken| Ended::Failed(broken.one_line))?;
-                (loaded.design, None)
-            }
+        let (design, hash) = if let Some(text) = text {
+            let reading = design::read(&text);
+            let error = reading.errors().next().map(sentence).unwrap_or_default();
+            (reading.design.ok_or(Ended::Failed(error))?, Some(design::hash(text.as_bytes())))
+        } else {
+            let loaded = backend.load(&self.path).map_err(|broken| Ended::Failed(broken.one_line))?;
+            (loaded.design, None)
         };
         let subject = Arc::new(Subject::new(design, hash)?);
         self.known.subject = Some(Arc::clone(&subject));

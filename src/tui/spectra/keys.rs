@@ -28,14 +28,12 @@ impl SpectraView {
             Action::ZoomIn => self.zoom(ZOOM),
             Action::ZoomOut => self.zoom(1.0 / ZOOM),
             Action::ZoomFit => self.window = None,
-            Action::NextBand => self.to_band(1),
-            Action::PreviousBand => self.to_band(-1),
-            Action::NextPeak => self.to_peak(1),
-            Action::PreviousPeak => self.to_peak(-1),
-            Action::MoveUp if self.listed == Listed::Peaks => self.to_peak(-1),
-            Action::MoveDown if self.listed == Listed::Peaks => self.to_peak(1),
-            Action::MoveUp => self.to_band(-1),
-            Action::MoveDown => self.to_band(1),
+            Action::NextPeak => self.jump_to_peak(1),
+            Action::PreviousPeak => self.jump_to_peak(-1),
+            Action::MoveDown if self.listed == Listed::Peaks => self.jump_to_peak(1),
+            Action::MoveUp if self.listed == Listed::Peaks => self.jump_to_peak(-1),
+            Action::NextBand | Action::MoveDown => self.jump_to_band(1),
+            Action::PreviousBand | Action::MoveUp => self.jump_to_band(-1),
             Action::LogFrequency => self.log = !self.log,
             Action::LinearLevel => self.linear_level = !self.linear_level,
             Action::NextPanel => {
@@ -112,10 +110,7 @@ impl SpectraView {
         let (Some(axis), Some(hz)) = (self.axis(), self.at_hz()) else { return };
         let wanted = axis.frequency(axis.fraction(hz) + by / self.width.max(1) as f64);
         let line = self.nearest(wanted);
-        let line = match by > 0.0 {
-            true => line.max(self.cursor + 1),
-            false => line.min(self.cursor.saturating_sub(1)),
-        };
+        let line = if by > 0.0 { line.max(self.cursor + 1) } else { line.min(self.cursor.saturating_sub(1)) };
         self.put(line);
     }
 
@@ -157,7 +152,7 @@ impl SpectraView {
         self.window = (from > first || to < last).then_some((from, to));
     }
 
-    fn to_band(&mut self, by: isize) {
+    fn jump_to_band(&mut self, by: isize) {
         let (Some(hz), Some(findings)) = (self.at_hz(), self.findings()) else { return };
         let places = findings.bands.iter().map(|band| band.band.worst_at_hz);
         if let Some(place) = neighbour(places, hz, by) {
@@ -165,7 +160,7 @@ impl SpectraView {
         }
     }
 
-    fn to_peak(&mut self, by: isize) {
+    fn jump_to_peak(&mut self, by: isize) {
         let (Some(hz), Some(findings)) = (self.at_hz(), self.findings()) else { return };
         if let Some(place) = neighbour(findings.peaks.iter().map(super::Labelled::place), hz, by) {
             self.put(self.nearest(place));

@@ -89,6 +89,11 @@ impl Quantity {
         if self == Self::TransmissionError { Self::MeshForce } else { Self::TransmissionError }
     }
 
+    /// Whether there are several directions of it.
+    pub fn has_parts(self) -> bool {
+        matches!(self, Self::Bearing { .. })
+    }
+
     /// Whether its values have a phase.
     pub fn has_phase(self) -> bool {
         !matches!(self, Self::Bearing { part: Part::Resultant | Part::Radial, .. })

@@ -39,7 +39,8 @@ impl SpectraView {
             let here = curve.lines[self.cursor];
             let mut text = format!("{} {}", name(kind), value(here, self.quantity, self.linear_level, ascii));
             if let Some(fe) = fe.filter(|_| kind != ModelKind::Fe) {
-                text += &format!(" ({:+.2} dB)", 20.0 * (here.norm() / fe.norm()).log10());
+                let difference = 20.0 * (here.norm() / fe.norm()).log10();
+                text = format!("{text} ({difference:+.2} dB)");
             }
             items.push(Item { kind: Some(kind), text });
         }

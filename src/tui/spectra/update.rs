@@ -71,24 +71,11 @@ impl App {
                 if view.against != against {
                     self.say(format!("held against FE: {name}"));
                 }
-                return if wants_more { Some(self.ask_for_spectra()) } else { self.spectra_did(action) };
+                return if wants_more { Some(self.ask_for_spectra()) } else { is_of_screen(action).then(Vec::new) };
             }
             _ => return None,
         }
         Some(Vec::new())
-    }
-
-    /// Only actions of the screen are done with here.
-    fn spectra_did(&self, action: Action) -> Option<Vec<Effect>> {
-        let others = [
-            Action::CycleMarker,
-            Action::ToggleBackground,
-            Action::CopyPath,
-            Action::Redraw,
-            Action::Suspend,
-            Action::Quit,
-        ];
-        (!others.contains(&action)).then(Vec::new)
     }
 
     fn open_why(&mut self) {
@@ -105,4 +92,17 @@ impl App {
         self.close();
         vec![Effect::CancelSpectra]
     }
+}
+
+/// Whether an action is done with on the screen; others mean the same everywhere.
+fn is_of_screen(action: Action) -> bool {
+    !matches!(
+        action,
+        Action::CycleMarker
+            | Action::ToggleBackground
+            | Action::CopyPath
+            | Action::Redraw
+            | Action::Suspend
+            | Action::Quit
+    )
 }

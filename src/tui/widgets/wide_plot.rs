@@ -145,7 +145,7 @@ fn draw_differences(
         let Some(difference) = difference.filter(|difference| difference.is_finite()) else { continue };
         let beyond = difference.abs() > tolerance;
         let (style, letter) = if beyond { (theme.beyond, '#') } else { (theme.enhanced, '-') };
-        let (zero, end) = (range.row(0.0, rows), range.row(difference, rows).clamp(0, rows as i64 - 1));
+        let (zero, end) = (range.row(0.0, rows), range.row(difference, rows).clamp(0, rows.cast_signed() as i64 - 1));
         let (top, bottom) = (zero.min(end).max(0), zero.max(end));
         for dot in (0..across).filter(|dot| *dot == 0 || beyond) {
             canvas.set_column(x * across + dot, top as usize, bottom as usize, Pen { style, letter });
