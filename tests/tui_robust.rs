@@ -45,6 +45,7 @@ fn screens() -> Vec<Make> {
         "D",
         "!",
         "mjc",
+        "w",
         "mjjjc",
         "mrx<Enter><Esc>!",
         "e:row",
@@ -55,7 +56,20 @@ fn screens() -> Vec<Make> {
     .collect();
     screens.push(Box::new(|| Screen::new(80, 24, ASCII)));
     screens.push(Box::new(|| Screen::with(&[], 80, 24, UNICODE, MadeUp)));
-    let in_tables = ["e<F2>j", "elc-5<Enter>f", "e<F2>lll l<Enter>c1 kg<Enter>", "e:row", "e?/e<Enter>n", "ea<Esc>q"];
+    let in_tables = [
+        "e<F2>j",
+        "elc-5<Enter>f",
+        "e<F2>lll l<Enter>c1 kg<Enter>",
+        "e:row",
+        "e?/e<Enter>n",
+        "ea<Esc>q",
+        "w",
+        "wav4d",
+        "wn<Enter>",
+        "wiix<Tab><Tab>",
+        "wE",
+        "ew?",
+    ];
     screens.extend(in_tables.map(|keys| after(keys, tables)));
     screens
 }
@@ -181,7 +195,9 @@ fn escape_sequences_never_reach_the_screen() {
             "<Esc>D",
             "<Esc>Y<Enter>",
             "<Esc>m",
-            "gc",
+            "gw",
+            "<Enter>",
+            "<Esc><Esc>c",
             "<Esc>jc",
             ":\u{1b}\u{202e}",
             "<Esc><Esc>?/\x1b\u{7}",

@@ -208,6 +208,13 @@ impl Backend for Files {
         library::save_variant(folder, name, text, about).map_err(|error| error.to_string())
     }
 
+    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
+        // a name without a folder is one in the current folder
+        let path = std::path::absolute(path).map_err(|error| error.to_string())?;
+        design::save_new(&path, text).map_err(|error| error.to_string())?;
+        Ok(path)
+    }
+
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {
         Some(Ok(library::files(&self.paths())))
     }

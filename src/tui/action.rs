@@ -9,13 +9,14 @@ pub enum Category {
     Designs,
     Edit,
     Solve,
+    Spectra,
     Typing,
     Program,
 }
 
 impl Category {
-    pub const ALL: [Self; 7] =
-        [Self::Move, Self::Find, Self::Designs, Self::Edit, Self::Solve, Self::Typing, Self::Program];
+    pub const ALL: [Self; 8] =
+        [Self::Move, Self::Find, Self::Designs, Self::Edit, Self::Solve, Self::Spectra, Self::Typing, Self::Program];
 
     pub fn title(self) -> &'static str {
         match self {
@@ -24,6 +25,7 @@ impl Category {
             Self::Designs => "Designs",
             Self::Edit => "Editing",
             Self::Solve => "Solving",
+            Self::Spectra => "Spectra",
             Self::Typing => "While something is typed",
             Self::Program => "Program",
         }
@@ -162,6 +164,36 @@ actions! {
     Palette, "palette", Program, "all actions by name", hint 5 "commands";
     Messages, "messages", Program, "all messages in full, the latest first";
     Help, "help", Program, "this help", hint 5 "help";
+    OpenSpectra, "spectra", Solve, "the spectra over the whole window: cursor, zoom, bands of disagreement and why", hint 8 "wide";
+    JumpLeft, "jump-left", Spectra, "the cursor ten columns to the left";
+    JumpRight, "jump-right", Spectra, "the cursor ten columns to the right";
+    ZoomIn, "zoom-in", Spectra, "half the frequencies, around the cursor", hint 2 "zoom";
+    ZoomOut, "zoom-out", Spectra, "twice the frequencies, around the cursor", hint 2 "zoom";
+    ZoomFit, "zoom-fit", Spectra, "all frequencies", hint 6 "fit";
+    PanLeft, "pan-left", Spectra, "a quarter of the window to the left";
+    PanRight, "pan-right", Spectra, "a quarter of the window to the right";
+    NextQuantity, "next-quantity", Spectra, "mesh force, transmission error, the force of each bearing", hint 3 "quantity";
+    PreviousQuantity, "previous-quantity", Spectra, "the quantity before";
+    NextDirection, "next-direction", Spectra, "resultant, x, y, z or radial force of the bearing", hint 6 "direction";
+    ShowFe, "show-fe", Spectra, "the finite element model's curve, or not";
+    ShowEnhanced, "show-enhanced", Spectra, "the enhanced model's curve, or not";
+    ShowBasic, "show-basic", Spectra, "the basic model's curve, or not";
+    ShowReduced, "show-reduced", Spectra, "the reduced model's curve, or not";
+    MoreModes, "more-modes", Spectra, "a mode more in each rotor of the reduced model";
+    FewerModes, "fewer-modes", Spectra, "a mode less in each rotor of the reduced model";
+    NextAgainst, "next-against", Spectra, "the model held against finite elements: enhanced, basic, reduced";
+    LogFrequency, "log-frequency", Spectra, "frequencies logarithmic or linear";
+    LinearLevel, "linear-level", Spectra, "values in dB or in their unit";
+    NextPanel, "next-panel", Spectra, "below: difference, phase, the other quantity of the mesh, sixth-octave levels", hint 4 "panel";
+    LessTolerance, "less-tolerance", Spectra, "a tolerance 1 dB smaller";
+    MoreTolerance, "more-tolerance", Spectra, "a tolerance 1 dB larger";
+    NextBand, "next-band", Spectra, "the next band beyond the tolerance; after the last the first", hint 1 "band";
+    PreviousBand, "previous-band", Spectra, "the band before", hint 1 "band";
+    NextPeak, "next-peak", Spectra, "the next peak; after the last the first", hint 3 "peak";
+    PreviousPeak, "previous-peak", Spectra, "the peak before", hint 3 "peak";
+    ListPeaks, "list-peaks", Spectra, "list the bands, the peaks and their pairs, or nothing", hint 7 "list";
+    Why, "why", Spectra, "why the models disagree in the band at the cursor", hint 0 "why";
+    ExportShown, "export-shown", Spectra, "write what is shown to a CSV file", hint 6 "write";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

@@ -18,6 +18,7 @@ use super::message::Effect;
 use super::notice::{Messages, Notice};
 use super::palette::Palette;
 use super::recovery::Recovery;
+use super::spectra::SpectraView;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
 use super::worker::{FileJob, Job, Summary, Ticket};
@@ -47,6 +48,7 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    pub spectra: Option<SpectraView>,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -170,6 +172,7 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            spectra: None,
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

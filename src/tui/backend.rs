@@ -4,9 +4,11 @@ use std::path::{Path, PathBuf};
 
 use super::files::{FileDone, FileRequest};
 use super::recovery::{Kept, Look};
+use super::spectra::{ModelCurves, Subject};
 use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
+use crate::model::ModelKind;
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
 pub trait Backend: Send + Sync {
@@ -23,6 +25,30 @@ pub trait Backend: Send + Sync {
     ///
     /// [`SolveError`] says why there is no solution.
     fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError>;
+
+    /// Solves one model of a design on the lines of its analysis, with all that further curves are made from.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] says why there is no solution.
+    fn spectrum(
+        &self,
+        subject: &Subject,
+        kind: ModelKind,
+        observer: &mut Observer<'_>,
+    ) -> Result<ModelCurves, SolveError> {
+        ModelCurves::new(subject, kind, observer)
+    }
+
+    /// Writes a text to a new file, and says where that is.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line. A file that is there is never overwritten.
+    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
+        let _ = (path, text);
+        Err(READ_ONLY.into())
+    }
 
     /// The text of a design file, also of one that is [broken](BrokenDesign).
     ///

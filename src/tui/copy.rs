@@ -50,6 +50,8 @@ impl App {
             Mode::Help => Some(self.help_text()),
             Mode::Messages => Some(self.messages.text()),
             Mode::Compare => self.compare.as_ref().and_then(differences),
+            Mode::Spectra => self.spectra.as_ref()?.readout_text(),
+            Mode::Why => self.spectra.as_ref().map(|view| view.why().join("\n")),
             Mode::Table | Mode::Matrix | Mode::Choice | Mode::Findings => self.editors.open().and_then(in_tables),
             _ => match &self.detail.outcome {
                 Some(Outcome::Solved { summary, .. }) => {

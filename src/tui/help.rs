@@ -50,6 +50,8 @@ const EXPLORER: &[Mode] = &[
     Mode::Library,
     Mode::Text,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
     Mode::Confirm,
     Mode::Leave,
     Mode::Recovery,
@@ -62,6 +64,8 @@ const EDITOR: &[Mode] = &[
     Mode::Matrix,
     Mode::Choice,
     Mode::Findings,
+    Mode::Spectra,
+    Mode::Why,
     Mode::Leave,
     Mode::Recovery,
     Mode::Conflict,
@@ -69,8 +73,8 @@ const EDITOR: &[Mode] = &[
     Mode::Help,
 ];
 /// Where letters are text.
-const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::HelpSearch];
-const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::HelpSearch];
+const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::HelpSearch];
+const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::HelpSearch];
 
 impl App {
     pub(super) fn open_help(&mut self) {

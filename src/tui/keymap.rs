@@ -26,6 +26,12 @@ pub enum Mode {
     Messages,
     /// Two designs beside one another.
     Compare,
+    /// The spectra over the whole window.
+    Spectra,
+    /// Why models disagree in a band.
+    Why,
+    /// The name of a file to write to is being typed.
+    Export,
     /// The tables of a design.
     Table,
     /// A cell is being typed into.
@@ -47,7 +53,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 22] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -58,6 +64,9 @@ impl Mode {
         Self::Confirm,
         Self::Messages,
         Self::Compare,
+        Self::Spectra,
+        Self::Why,
+        Self::Export,
         Self::Table,
         Self::Cell,
         Self::Choice,
@@ -82,6 +91,9 @@ impl Mode {
             Self::Confirm => "confirm",
             Self::Messages => "messages",
             Self::Compare => "compare",
+            Self::Spectra => "spectra",
+            Self::Why => "why",
+            Self::Export => "export",
             Self::Table => "table",
             Self::Cell => "cell",
             Self::Choice => "choice",
@@ -107,6 +119,9 @@ impl Mode {
             Self::Confirm => "When asked whether to delete",
             Self::Messages => "In the messages",
             Self::Compare => "In the comparison",
+            Self::Spectra => "Over the spectra",
+            Self::Why => "In the reasons for a band",
+            Self::Export => "While a file to write is named",
             Self::Table => "In the tables",
             Self::Cell => "While a cell is typed into",
             Self::Choice => "In a list of words",
@@ -140,6 +155,8 @@ const LISTS: &[Mode] = &[
     Mode::Help,
     Mode::Messages,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
     Mode::Choice,
     Mode::Findings,
     Mode::Recovery,
@@ -152,6 +169,8 @@ const ROWS: &[Mode] = &[
     Mode::Help,
     Mode::Messages,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -169,6 +188,8 @@ const MOVING: &[Mode] = &[
     Mode::Palette,
     Mode::Messages,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -179,25 +200,30 @@ const MOVING: &[Mode] = &[
 const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 const LIBRARY: &[Mode] = &[Mode::Library];
 const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
+/// Where there are columns to move in.
+const COLUMNS: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Spectra];
+const SPECTRA: &[Mode] = &[Mode::Spectra];
 const TABLE: &[Mode] = &[Mode::Table];
 const CELL: &[Mode] = &[Mode::Cell];
 const FORM: &[Mode] = &[Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
-const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
+const TYPING: &[Mode] =
+    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
 /// What lies over the explorer and is closed.
-const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
-const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
+const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why];
+const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Confirm];
 const CONFIRM: &[Mode] = &[Mode::Confirm];
 const COMMANDS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
+    &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Spectra, Mode::Table, Mode::Matrix, Mode::Findings];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
-const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
+const PICTURES: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Table, Mode::Matrix, Mode::Choice];
 const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 const RECOVERY: &[Mode] = &[Mode::Recovery];
 const CONFLICT: &[Mode] = &[Mode::Conflict];
@@ -234,10 +260,10 @@ pub const BINDINGS: &[Binding] = &[
     letter(ROWS, 'g', Action::First),
     key(LISTS, KeyCode::End, Action::Last),
     letter(ROWS, 'G', Action::Last),
-    key(CELLS, KeyCode::Left, Action::MoveLeft),
-    letter(CELLS, 'h', Action::MoveLeft),
-    key(CELLS, KeyCode::Right, Action::MoveRight),
-    letter(CELLS, 'l', Action::MoveRight),
+    key(COLUMNS, KeyCode::Left, Action::MoveLeft),
+    letter(COLUMNS, 'h', Action::MoveLeft),
+    key(COLUMNS, KeyCode::Right, Action::MoveRight),
+    letter(COLUMNS, 'l', Action::MoveRight),
     key(CELLS, KeyCode::Home, Action::FirstCell),
     key(CELLS, KeyCode::End, Action::LastCell),
     key(CELLS, KeyCode::Tab, Action::NextCell),
@@ -340,7 +366,41 @@ pub const BINDINGS: &[Binding] = &[
     letter(COMMANDS, ':', Action::Palette),
     letter(BROWSING, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
-    letter(&[Mode::Compare], '?', Action::Help),
+    letter(&[Mode::Compare, Mode::Spectra], '?', Action::Help),
+    letter(SPECTRA, '!', Action::Messages),
+    letter(OPENED, 'w', Action::OpenSpectra),
+    letter(SPECTRA, 'w', Action::Back),
+    letter(SPECTRA, 'H', Action::JumpLeft),
+    letter(SPECTRA, 'L', Action::JumpRight),
+    letter(SPECTRA, 'i', Action::ZoomIn),
+    letter(SPECTRA, 'o', Action::ZoomOut),
+    letter(SPECTRA, 'f', Action::ZoomFit),
+    letter(SPECTRA, '<', Action::PanLeft),
+    letter(SPECTRA, '>', Action::PanRight),
+    letter(SPECTRA, 'v', Action::NextQuantity),
+    letter(SPECTRA, 'V', Action::PreviousQuantity),
+    letter(SPECTRA, 'r', Action::NextDirection),
+    letter(SPECTRA, '1', Action::ShowFe),
+    letter(SPECTRA, '2', Action::ShowEnhanced),
+    letter(SPECTRA, '3', Action::ShowBasic),
+    letter(SPECTRA, '4', Action::ShowReduced),
+    letter(SPECTRA, '+', Action::MoreModes),
+    letter(SPECTRA, '-', Action::FewerModes),
+    letter(SPECTRA, 'm', Action::NextAgainst),
+    letter(SPECTRA, 'x', Action::LogFrequency),
+    letter(SPECTRA, 'd', Action::LinearLevel),
+    key(SPECTRA, KeyCode::Tab, Action::NextPanel),
+    letter(SPECTRA, '[', Action::LessTolerance),
+    letter(SPECTRA, ']', Action::MoreTolerance),
+    letter(SPECTRA, 'n', Action::NextBand),
+    letter(SPECTRA, 'N', Action::PreviousBand),
+    letter(SPECTRA, 'p', Action::NextPeak),
+    letter(SPECTRA, 'P', Action::PreviousPeak),
+    letter(SPECTRA, 'a', Action::ListPeaks),
+    key(SPECTRA, KeyCode::Enter, Action::Why),
+    letter(SPECTRA, 'W', Action::Why),
+    key(&[Mode::Why], KeyCode::Enter, Action::Back),
+    letter(SPECTRA, 'E', Action::ExportShown),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

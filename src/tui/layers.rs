@@ -34,6 +34,9 @@ impl App {
     /// What a key or the palette asks for: of the editor first, if it is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
         crash::remember(self.mode.name(), action.name());
+        if let Some(effects) = self.act_in_spectra(action) {
+            return effects;
+        }
         match self.act_in_editor(action) {
             Some(effects) => effects,
             None => self.act(action),
@@ -52,9 +55,14 @@ impl App {
             }
             Action::Filter | Action::MoveUp | Action::MoveDown if panes => !self.library.is_empty(),
             Action::Back => self.mode != Mode::Library || !self.library.filter().is_empty(),
-            Action::Mark | Action::Rename | Action::Duplicate | Action::Delete | Action::OpenEditor => {
-                selected.is_some()
-            }
+            Action::Mark
+            | Action::Rename
+            | Action::Duplicate
+            | Action::Delete
+            | Action::OpenEditor
+            | Action::OpenSpectra => selected.is_some(),
+            Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
+            Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
             Action::NextOffer => self.recovery.offers.all.len() > 1,
             Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),

@@ -50,6 +50,7 @@ mod record;
 pub mod recovery;
 pub mod screens;
 mod signals;
+pub mod spectra;
 pub mod terminal;
 pub mod text;
 pub mod text_field;

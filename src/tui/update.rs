@@ -99,6 +99,14 @@ impl App {
                 self.compared(ticket, *result);
                 Vec::new()
             }
+            Message::Spectra { ticket, part } => {
+                self.spectra_came(ticket, &part);
+                Vec::new()
+            }
+            Message::Exported(result) => {
+                self.exported(result);
+                Vec::new()
+            }
             Message::Suspend => vec![Effect::Suspend],
             Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
@@ -184,6 +192,7 @@ impl App {
             Mode::HelpSearch => self.edit_help_search(edit),
             Mode::Palette => self.edit_palette(edit),
             Mode::Name => self.edit_form(edit),
+            Mode::Export => self.edit_export(edit),
             _ => {}
         }
         Vec::new()
@@ -265,6 +274,7 @@ impl App {
             Action::Accept => match self.mode {
                 Mode::Palette => self.run_chosen(),
                 Mode::Name => self.accept_form(),
+                Mode::Export => self.accept_export(),
                 Mode::Confirm => self.delete_confirmed(),
                 _ => Vec::new(),
             },
@@ -321,6 +331,7 @@ impl App {
             Mode::Recovery => self.recovery.offers.scroll.page(),
             Mode::Conflict => self.conflicts.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
+            Mode::Why => self.spectra.as_ref().map_or(1, |view| view.scroll.page()),
             _ => 0,
         }
     }
@@ -339,6 +350,11 @@ impl App {
             Mode::Conflict => self.conflicts.scroll.by(by),
             Mode::Compare => {
                 if let Some(view) = &mut self.compare {
+                    view.scroll.by(by);
+                }
+            }
+            Mode::Why => {
+                if let Some(view) = &mut self.spectra {
                     view.scroll.by(by);
                 }
             }
@@ -372,7 +388,9 @@ impl App {
                 self.close();
                 return vec![Effect::CancelCompare];
             }
-            Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
+            Mode::Spectra => return self.close_spectra(),
+            Mode::Export => self.close_export(),
+            Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages | Mode::Why => self.close(),
             Mode::Recovery => {
                 self.close();
                 self.say("kept for later: :recover shows them again");

@@ -20,6 +20,7 @@ pub use super::file_jobs::{FileJob, perform_file};
 use super::files::FileRequest;
 use super::message::Message;
 use super::recovery::{Keeper, Kept};
+use super::spectra::{self, SpectraJob};
 use super::traces::Traces;
 use crate::agreement::Agreement;
 use crate::comparison::{Observer, SolveError};
@@ -177,6 +178,8 @@ struct Shared {
     latest: AtomicU64,
     /// The same of the latest comparison.
     latest_compared: AtomicU64,
+    /// The same of the wide screen.
+    latest_spectra: AtomicU64,
 }
 
 #[derive(Debug, Default)]
@@ -186,6 +189,7 @@ struct Queues {
     list: bool,
     changes: VecDeque<FileRequest>,
     compare: Option<CompareJob>,
+    spectra: Option<SpectraJob>,
     files: VecDeque<FileJob>,
     closed: bool,
 }
@@ -200,6 +204,7 @@ enum Task {
     List,
     ChangeFile(FileRequest),
     Compare(Box<CompareJob>),
+    Spectra(Box<SpectraJob>),
     File(FileJob),
 }
 
@@ -240,6 +245,9 @@ impl Worker {
         worker.spawn("compare", Arc::clone(&backend), sender, |queues| {
             queues.compare.take().map(|job| Task::Compare(Box::new(job)))
         })?;
+        worker.spawn("spectra", Arc::clone(&backend), sender, |queues| {
+            queues.spectra.take().map(|job| Task::Spectra(Box::new(job)))
+        })?;
         worker.spawn("library", Arc::clone(&backend), sender, |queues| {
             if std::mem::take(&mut queues.list) { Some(Task::List) } else { queues.rows.pop_front().map(Task::Fill) }
         })?;
@@ -268,6 +276,11 @@ impl Worker {
                         if let Some(result) = result.map(Box::new) {
                             report(Message::Compared { ticket: job.ticket, result });
                         }
+                    }
+                    Task::Spectra(job) => {
+                        let ticket = job.ticket.0;
+                        let wanted = || shared.latest_spectra.load(Ordering::Relaxed) == ticket;
+                        spectra::perform(*job, &*backend, &wanted, &mut report);
                     }
                     Task::Fill(job) => perform(&job, &*backend, &mut report),
                     Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
@@ -346,6 +359,24 @@ impl Worker {
         let mut queues = self.shared.lock();
         queues.compare = job;
         self.shared.latest_compared.store(ticket.0, Ordering::Relaxed);
+        drop(queues);
+        self.shared.changed.notify_all();
+    }
+
+    /// Asks for what the wide screen shows; what was waiting or being solved for it is given up.
+    pub fn spectra(&self, job: SpectraJob) {
+        self.set_spectra(job.ticket, Some(job));
+    }
+
+    /// Gives up what is waiting or being solved for the wide screen.
+    pub fn cancel_spectra(&self) {
+        self.set_spectra(Ticket::default(), None);
+    }
+
+    fn set_spectra(&self, ticket: Ticket, job: Option<SpectraJob>) {
+        let mut queues = self.shared.lock();
+        queues.spectra = job;
+        self.shared.latest_spectra.store(ticket.0, Ordering::Relaxed);
         drop(queues);
         self.shared.changed.notify_all();
     }

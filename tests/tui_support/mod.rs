@@ -21,6 +21,7 @@ use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
+use bevelscope::tui::spectra::{self, Part, SpectraJob};
 use bevelscope::tui::worker::{self, EditedJob, Job};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
 use num_complex::Complex64;
@@ -287,6 +288,7 @@ impl Screen {
             if let Effect::Keep(change) = &effect {
                 self.backend.keep(change).unwrap();
             }
+            let spectra = if let Effect::Spectra(job) = &effect { Some(job.clone()) } else { None };
             let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
@@ -300,6 +302,9 @@ impl Screen {
                 }
                 if let Some(job) = &edited {
                     self.perform_edited(job);
+                }
+                if let Some(job) = spectra {
+                    self.perform_spectra(*job);
                 }
             }
             if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
@@ -343,6 +348,19 @@ impl Screen {
         for message in messages {
             let effects = self.app.update(message);
             self.carry_out(effects);
+        }
+    }
+
+    /// Solves what the wide screen shows and takes in all parts.
+    pub fn perform_spectra(&mut self, job: SpectraJob) {
+        let mut messages = Vec::new();
+        spectra::perform(job, &*self.backend, &|| true, &mut |message| messages.push(message));
+        for message in messages {
+            // how long it takes differs from run to run
+            if !matches!(&message, Message::Spectra { part, .. } if matches!(**part, Part::Progress(_))) {
+                let effects = self.app.update(message);
+                self.carry_out(effects);
+            }
         }
     }
 

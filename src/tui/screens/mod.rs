@@ -3,6 +3,7 @@
 pub mod compare;
 pub mod editor;
 pub mod explorer;
+pub mod spectra;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
