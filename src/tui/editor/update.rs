@@ -244,6 +244,7 @@ impl App {
     pub(in crate::tui) fn paste_in_editor(&mut self, text: &str) -> Vec<Effect> {
         let editing = self.editors.open_mut();
         let line = editing.and_then(|editing| {
+            editing.notice = None;
             editing.input.iter_mut().for_each(Input::replace_selected);
             line(editing)
         });

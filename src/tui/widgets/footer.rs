@@ -32,6 +32,11 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
             cursor = Some(position);
             x = (end + 2).min(area.right());
         }
+        if let Some(notice) = app.notice.as_ref().filter(|notice| notice.kind == NoticeKind::Done) {
+            let room = usize::from(area.right().saturating_sub(x));
+            let text = cut(&printable(&notice.text), room, ellipsis);
+            x = (buffer.set_stringn(x, area.y, text, room, theme.title).0 + 1).min(area.right());
+        }
     } else if let Some(notice) = app.shown_notice() {
         let text = printable(&notice.text);
         // what happened comes before what could be done

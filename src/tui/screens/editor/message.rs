@@ -45,6 +45,10 @@ fn message(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme) -> Message {
     if let Some(input) = &editing.input {
         return match (&input.error, editing.target()) {
             (Some(error), _) => Message::new(format!("{broken} {error}"), theme.error),
+            (None, _) if editing.notice.as_ref().is_some_and(|notice| !notice.is_error) => {
+                let text = editing.notice.as_ref().map_or(String::new(), |notice| notice.text.clone());
+                Message::new(text, theme.title)
+            }
             (None, Some(cell)) if input.is_selected => {
                 let text = format!("Typing replaces it, moving the cursor keeps it. {}", about_cell(cell, keys));
                 Message::new(text, theme.faint)
