@@ -127,9 +127,9 @@ fn zoom_keeps_the_cursor_and_fit_shows_all() {
         assert!((near.fraction(hz) - all.fraction(hz)).abs() < 1e-9, "the cursor stays in its column");
         let width = |axis: bevelscope::tui::axis::FrequencyAxis| all.fraction(axis.max) - all.fraction(axis.min);
         assert!((width(near) - 0.125).abs() < 1e-9);
-        screen.keys("<PgDn>");
+        screen.keys("<PgUp>");
         let panned = view(&screen).axis().unwrap();
-        assert!((all.fraction(panned.min) - all.fraction(near.max)).abs() < 1e-9, "a page further");
+        assert!((all.fraction(panned.max) - all.fraction(near.min)).abs() < 1e-9, "a page back");
         let hz = view(&screen).at_hz().unwrap();
         assert!((panned.min..=panned.max).contains(&hz), "the cursor comes along");
         screen.keys("<Home>");

@@ -28,8 +28,8 @@ use crate::tui::widgets::plot::curve_width;
 use crate::tui::widgets::{figures, findings_list, footer, header, wide_plot};
 
 /// From here on the list stands at the side.
-const WIDE: u16 = 110;
-const SIDE: u16 = 44;
+const WIDE: u16 = 116;
+const SIDE: u16 = 52;
 /// Rows inside the frame from which on there is room for a list below.
 const HIGH: u16 = 16;
 const LIST_ROWS: u16 = 5;

@@ -32,7 +32,7 @@ pub fn render(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Buffer
     let width = usize::from(area.width);
     let (head, rows, at): (&str, Vec<String>, Option<usize>) = match view.listed {
         Listed::Peaks => (
-            "  #    FE Hz   other Hz  shift %     dB  mode",
+            "  #   FE Hz   other  shift %    dB  mode",
             findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak)).collect(),
             view.peak_at(),
         ),
@@ -71,10 +71,10 @@ fn peak_row(at: usize, Labelled { pair, mode }: &Labelled) -> String {
     let hz = |hz: Option<f64>| hz.map_or_else(|| "-".into(), grouped);
     let signed =
         |value: Option<f64>, digits: usize| value.map_or_else(|| "-".into(), |value| format!("{value:+.digits$}"));
-    let mode = match (pair.fe_hz, pair.lumped_hz) {
-        (Some(_), Some(_)) => mode.as_deref().unwrap_or("").to_owned(),
-        _ => format!("unpaired {}", mode.as_deref().unwrap_or("")),
+    let shift = match pair.shift_percent {
+        Some(_) => signed(pair.shift_percent, 2),
+        None => "unpaired".into(),
     };
-    let (shift, height) = (signed(pair.shift_percent, 2), signed(pair.height_db, 1));
-    format!("{:>3}{:>9}{:>11}{shift:>9}{height:>7}  {}", at + 1, hz(pair.fe_hz), hz(pair.lumped_hz), printable(&mode))
+    let (height, mode) = (signed(pair.height_db, 1), printable(mode.as_deref().unwrap_or("")));
+    format!("{:>3}{:>8}{:>8}{shift:>9}{height:>6}  {mode}", at + 1, hz(pair.fe_hz), hz(pair.lumped_hz))
 }
