@@ -15,7 +15,9 @@ use super::keymap::Mode;
 use super::keys::Keys;
 use super::library::{Library, RowState};
 use super::message::Effect;
+use super::modes::ModesView;
 use super::notice::{Messages, Notice};
+use super::overview::Overview;
 use super::palette::Palette;
 use super::recovery::Recovery;
 use super::theme::Theme;
@@ -47,6 +49,8 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    pub modes: Option<Box<ModesView>>,
+    pub overview: Overview,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -170,6 +174,8 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            modes: None,
+            overview: Overview::default(),
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::files::{FileDone, FileRequest};
+use super::modes::Study;
 use super::recovery::{Kept, Look};
 use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
@@ -23,6 +24,15 @@ pub trait Backend: Send + Sync {
     ///
     /// [`SolveError`] says why there is no solution.
     fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError>;
+
+    /// The modes of the three models of a design; given up as soon as `wanted` says no.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] says why there are none.
+    fn modes(&self, design: &Design, wanted: &dyn Fn() -> bool) -> Result<Study, SolveError> {
+        Study::new(design, wanted)
+    }
 
     /// The text of a design file, also of one that is [broken](BrokenDesign).
     ///

@@ -50,6 +50,8 @@ impl App {
             Mode::Help => Some(self.help_text()),
             Mode::Messages => Some(self.messages.text()),
             Mode::Compare => self.compare.as_ref().and_then(differences),
+            Mode::Modes => self.modes.as_ref().and_then(|view| view.as_text()),
+            Mode::Overview => Some(self.overview_text()),
             Mode::Table | Mode::Matrix | Mode::Choice | Mode::Findings => self.editors.open().and_then(in_tables),
             _ => match &self.detail.outcome {
                 Some(Outcome::Solved { summary, .. }) => {

@@ -24,6 +24,8 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::ChangeFile(request) => worker.change_file(request),
             Effect::Compare(job) => worker.compare(job),
             Effect::CancelCompare => worker.cancel_compare(),
+            Effect::Modes(job) => worker.modes(job),
+            Effect::CancelModes => worker.cancel_modes(),
             Effect::Redraw => session.clear()?,
             Effect::Copy(bytes) => session.send(&bytes)?,
             Effect::Suspend => session.suspend()?,

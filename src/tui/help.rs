@@ -50,6 +50,8 @@ const EXPLORER: &[Mode] = &[
     Mode::Library,
     Mode::Text,
     Mode::Compare,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Confirm,
     Mode::Leave,
     Mode::Recovery,
@@ -58,6 +60,7 @@ const EXPLORER: &[Mode] = &[
     Mode::Help,
 ];
 const EDITOR: &[Mode] = &[
+    Mode::Modes,
     Mode::Table,
     Mode::Matrix,
     Mode::Choice,
@@ -69,8 +72,8 @@ const EDITOR: &[Mode] = &[
     Mode::Help,
 ];
 /// Where letters are text.
-const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::HelpSearch];
-const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::HelpSearch];
+const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Frequency, Mode::HelpSearch];
+const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::Frequency, Mode::HelpSearch];
 
 impl App {
     pub(super) fn open_help(&mut self) {

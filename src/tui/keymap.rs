@@ -26,6 +26,12 @@ pub enum Mode {
     Messages,
     /// Two designs beside one another.
     Compare,
+    /// The natural modes of a design.
+    Modes,
+    /// The frequency of a deflection shape is being typed.
+    Frequency,
+    /// All designs with their figures.
+    Overview,
     /// The tables of a design.
     Table,
     /// A cell is being typed into.
@@ -47,7 +53,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 22] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -58,6 +64,9 @@ impl Mode {
         Self::Confirm,
         Self::Messages,
         Self::Compare,
+        Self::Modes,
+        Self::Frequency,
+        Self::Overview,
         Self::Table,
         Self::Cell,
         Self::Choice,
@@ -82,6 +91,9 @@ impl Mode {
             Self::Confirm => "confirm",
             Self::Messages => "messages",
             Self::Compare => "compare",
+            Self::Modes => "modes",
+            Self::Frequency => "frequency",
+            Self::Overview => "overview",
             Self::Table => "table",
             Self::Cell => "cell",
             Self::Choice => "choice",
@@ -107,6 +119,9 @@ impl Mode {
             Self::Confirm => "When asked whether to delete",
             Self::Messages => "In the messages",
             Self::Compare => "In the comparison",
+            Self::Modes => "In the natural modes",
+            Self::Frequency => "While a frequency is typed",
+            Self::Overview => "In the overview of designs",
             Self::Table => "In the tables",
             Self::Cell => "While a cell is typed into",
             Self::Choice => "In a list of words",
@@ -140,6 +155,8 @@ const LISTS: &[Mode] = &[
     Mode::Help,
     Mode::Messages,
     Mode::Compare,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Recovery,
@@ -152,6 +169,8 @@ const ROWS: &[Mode] = &[
     Mode::Help,
     Mode::Messages,
     Mode::Compare,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -169,6 +188,8 @@ const MOVING: &[Mode] = &[
     Mode::Palette,
     Mode::Messages,
     Mode::Compare,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -184,20 +205,36 @@ const CELL: &[Mode] = &[Mode::Cell];
 const FORM: &[Mode] = &[Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
-const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
+const TYPING: &[Mode] =
+    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Frequency, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
+const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
 /// What lies over the explorer and is closed.
-const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
-const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
+const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Modes, Mode::Overview];
+/// Those that are whole screens.
+const SCREENS: &[Mode] = &[Mode::Compare, Mode::Modes, Mode::Overview];
+const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Frequency, Mode::Confirm];
+const MODES: &[Mode] = &[Mode::Modes];
+const OVERVIEW: &[Mode] = &[Mode::Overview];
 const CONFIRM: &[Mode] = &[Mode::Confirm];
-const COMMANDS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
+const COMMANDS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Compare,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Findings,
+];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
-const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
+const PICTURES: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Modes, Mode::Table, Mode::Matrix, Mode::Choice];
 const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 const RECOVERY: &[Mode] = &[Mode::Recovery];
 const CONFLICT: &[Mode] = &[Mode::Conflict];
@@ -302,13 +339,27 @@ pub const BINDINGS: &[Binding] = &[
     key(PANES, KeyCode::BackTab, Action::NextPane),
     key(LIBRARY, KeyCode::Right, Action::NextPane),
     letter(LIBRARY, 'l', Action::NextPane),
-    letter(FILTERED, '/', Action::Filter),
+    letter(MATCHED, '/', Action::Filter),
     letter(FILTERED, 'n', Action::NextMatch),
     letter(FILTERED, 'N', Action::PreviousMatch),
     letter(LIBRARY, 't', Action::ToggleTree),
     letter(PANES, 'm', Action::Mark),
     letter(PANES, 'c', Action::Compare),
     letter(&[Mode::Compare], 'x', Action::Swap),
+    letter(OPENED, 'M', Action::Modes),
+    key(MODES, KeyCode::Left, Action::MoveLeft),
+    letter(MODES, 'h', Action::MoveLeft),
+    key(MODES, KeyCode::Right, Action::MoveRight),
+    letter(MODES, 'l', Action::MoveRight),
+    letter(MODES, ' ', Action::NextPhase),
+    key(MODES, KeyCode::Tab, Action::OtherModel),
+    letter(MODES, 'x', Action::ShowMac),
+    letter(MODES, 'o', Action::Deflection),
+    letter(MODES, 'f', Action::TypeFrequency),
+    letter(PANES, 'O', Action::Overview),
+    key(OVERVIEW, KeyCode::Enter, Action::ShowDesign),
+    letter(OVERVIEW, 's', Action::SortColumn),
+    letter(OVERVIEW, 'S', Action::SortDirection),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),
@@ -340,7 +391,7 @@ pub const BINDINGS: &[Binding] = &[
     letter(COMMANDS, ':', Action::Palette),
     letter(BROWSING, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
-    letter(&[Mode::Compare], '?', Action::Help),
+    letter(SCREENS, '?', Action::Help),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

@@ -31,13 +31,11 @@ impl App {
         self.follow_editor();
     }
 
-    /// What a key or the palette asks for: of the editor first, if it is in sight.
+    /// What a key or the palette asks for: of the screen first that is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
         crash::remember(self.mode.name(), action.name());
-        match self.act_in_editor(action) {
-            Some(effects) => effects,
-            None => self.act(action),
-        }
+        let in_screen = self.act_in_editor(action).or_else(|| self.act_in_modes(action));
+        in_screen.or_else(|| self.act_in_overview(action)).unwrap_or_else(|| self.act(action))
     }
 
     /// Whether an action would do something now.
@@ -52,6 +50,11 @@ impl App {
             }
             Action::Filter | Action::MoveUp | Action::MoveDown if panes => !self.library.is_empty(),
             Action::Back => self.mode != Mode::Library || !self.library.filter().is_empty(),
+            Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
+            Action::Modes if self.editors.open().is_none() => selected.is_some(),
+            Action::MoveLeft | Action::MoveRight if self.mode == Mode::Modes => {
+                self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
+            }
             Action::Mark | Action::Rename | Action::Duplicate | Action::Delete | Action::OpenEditor => {
                 selected.is_some()
             }

@@ -62,6 +62,8 @@ fn line(message: &Message) -> Option<String> {
             Ok(differences) => format!("compared two designs: {} differences", differences.len()),
             Err(error) => format!("cannot compare two designs: {error}"),
         },
+        Message::ModesFound { result: Ok(_), .. } => "computed modes or a deflection shape".into(),
+        Message::ModesFound { result: Err(error), .. } => format!("cannot compute modes: {error}"),
         Message::Suspend => "asked to suspend".into(),
         Message::Continued => "continued".into(),
         Message::Signal(number) => format!("signal {number}"),
