@@ -31,6 +31,10 @@ fn screens() -> Vec<Screen> {
         "mrx<Enter><Esc>!",
         "e:row",
         "e?/e<Enter>n",
+        "M",
+        "O",
+        "Ossj/e",
+        "OS?",
     ]
     .into_iter()
     .map(|keys| {
@@ -46,7 +50,7 @@ fn screens() -> Vec<Screen> {
         screens.push(screen);
     }
     screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
-    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
+    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q", "Mjj", "Mjjx", "Mjjol ", "Mf12", "M<Tab>G?", "eMx"] {
         let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
         screen.keys(keys);
         screens.push(screen);
@@ -146,6 +150,10 @@ fn escape_sequences_never_reach_the_screen() {
             "<Esc>m",
             "gc",
             "<Esc>jc",
+            "<Esc>M",
+            "<Esc>O",
+            "sj/\u{1b}\u{7}",
+            "<Esc><Esc><Esc>",
             ":\u{1b}\u{202e}",
             "<Esc><Esc>?/\x1b\u{7}",
             "<Enter>n",
@@ -235,6 +243,10 @@ fn strange_designs_and_solutions_are_drawn() {
         for stem in stems {
             assert_eq!(screen.selected(), stem);
             assert!(screen.text().contains(stem), "{}", screen.text());
+            for keys in ["O", "s"] {
+                assert!(screen.keys(keys).text().contains(stem), "{}", screen.text());
+            }
+            screen.keys("<Esc>");
             screen.keys("j");
         }
     }

@@ -53,6 +53,15 @@ impl Column {
         }
     }
 
+    /// In characters, with a gap before it; the design has what is left.
+    pub fn width(self) -> usize {
+        match self {
+            Self::Design => 0,
+            Self::EnhancedLimit | Self::BasicLimit => 10,
+            _ => 8,
+        }
+    }
+
     /// After the last the first.
     #[must_use]
     pub fn next(self) -> Self {

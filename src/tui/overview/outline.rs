@@ -8,7 +8,7 @@ use crate::tui::traces::levels;
 const COLUMNS: usize = 120;
 
 /// Levels that the shades span, dB: what lies lower is drawn as the lowest.
-const SPAN_DB: f64 = 60.0;
+const SPAN_DB: f64 = 40.0;
 
 /// The highest level in each of a few columns with as many lines each, dB re 1 N.
 pub fn outline(force: &[Complex64]) -> Vec<f64> {
@@ -49,7 +49,7 @@ mod tests {
         assert_eq!((outline.len(), outline[66 * COLUMNS / 100]), (COLUMNS, 60.0));
         assert_eq!(sparks(&outline, 60.0, 10, true), "______#___");
         assert_eq!(sparks(&outline, 60.0, 10, false), "▁▁▁▁▁▁█▁▁▁");
-        assert_eq!(sparks(&outline, 90.0, 10, true), "______=___");
+        assert_eq!(sparks(&outline, 90.0, 10, true), "______-___");
         assert_eq!(sparks(&[], 60.0, 10, true), "");
         assert_eq!(sparks(&[f64::NAN, f64::NEG_INFINITY, 60.0], 60.0, 9, true), "__#");
     }

@@ -70,9 +70,6 @@ struct Widths {
     figures: Vec<Column>,
 }
 
-/// Of every column with a figure.
-const FIGURE: usize = 9;
-
 impl Widths {
     fn new(all: usize) -> Self {
         let mut figures = Column::ALL[1..].to_vec();
@@ -80,7 +77,8 @@ impl Widths {
         if all < 76 {
             figures.retain(|column| *column != Column::BasicRms);
         }
-        let left = all.saturating_sub(1 + figures.len() * FIGURE);
+        let taken: usize = figures.iter().map(|column| column.width()).sum();
+        let left = all.saturating_sub(1 + taken);
         let sparks = if left >= 20 { (left * 2 / 5).min(60) } else { 0 };
         Self { name: left.saturating_sub(sparks + usize::from(sparks > 0)), sparks, figures }
     }
@@ -88,7 +86,8 @@ impl Widths {
     fn line(&self, name: &str, sparks: &str, figures: impl Iterator<Item = String>, theme: &Theme) -> String {
         let name = cut(name, self.name, theme.glyphs.ellipsis);
         let gap = " ".repeat(self.name.saturating_sub(name.width()) + usize::from(self.sparks > 0));
-        let figures: Vec<String> = figures.map(|figure| format!("{figure:>FIGURE$}")).collect();
+        let figures: Vec<String> =
+            figures.zip(&self.figures).map(|(figure, column)| format!("{figure:>0$}", column.width())).collect();
         let figures = figures.concat();
         format!(" {name}{gap}{sparks:<0$}{figures}", self.sparks)
     }
@@ -133,7 +132,7 @@ fn render_rows(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) {
             (_, Some(reason)) => {
                 let line = widths.line(&name, "", std::iter::empty(), theme);
                 let reason = format!("{} {reason}", theme.glyphs.broken);
-                let start = line.trim_end().width() + 2;
+                let start = line.trim_end().width() + 1;
                 let start = start.max(widths.name + 2);
                 let gap = " ".repeat(start.saturating_sub(line.trim_end().width()));
                 format!("{}{gap}{}", line.trim_end(), cut(&reason, width.saturating_sub(start), theme.glyphs.ellipsis))

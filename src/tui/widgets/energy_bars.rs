@@ -13,14 +13,14 @@ use crate::tui::theme::Theme;
 
 const LABEL: usize = 9;
 /// Of the share in percent, with a space.
-const SHARE: usize = 4;
+const SHARE: usize = 3;
 
 /// Draws a line a rotor, pinion first.
 pub fn render(mode: &Mode, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
     let part = width.saturating_sub(LABEL) / MotionGroup::ALL.len();
     let name_room = if part >= 18 { 8 } else { 4 };
-    let bar = part.saturating_sub(name_room + SHARE + 1);
+    let bar = part.saturating_sub(name_room + SHARE + 2);
     for ((label, share), y) in
         [("pinion", &mode.pinion), ("gear", &mode.gear)].into_iter().zip(area.top()..area.bottom())
     {
@@ -31,7 +31,7 @@ pub fn render(mode: &Mode, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             let left = |x: u16| usize::from(area.right().saturating_sub(x));
             x = buffer.set_stringn(x, y, format!("{name:<name_room$}"), left(x), theme.faint).0;
             x = buffer.set_stringn(x, y, filled(share, bar, theme), left(x), theme.fe).0;
-            x = buffer.set_stringn(x, y, format!("{:>SHARE$.0}%", 100.0 * share), left(x), theme.title).0;
+            x = buffer.set_stringn(x, y, format!("{:>SHARE$.0}% ", 100.0 * share), left(x), theme.title).0;
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::tui::modes::{LUMPED, ModeRow, ModesView, Partner, Study};
 use crate::tui::theme::Theme;
 
 /// Columns besides the name.
-const FIGURES: usize = 13 + 2 * 23;
+const FIGURES: usize = 13 + 2 * 22;
 
 /// Draws heading and rows; the view's scroll follows the cursor.
 pub fn render(view: &mut ModesView, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -34,7 +34,7 @@ pub fn render(view: &mut ModesView, theme: &Theme, area: Rect, buffer: &mut Buff
         let gap = " ".repeat(room.saturating_sub(text.width()));
         if room == 0 { String::new() } else { format!("  {text}{gap}") }
     };
-    let models = LUMPED.map(|model| format!("{model:>10}{:>8}{:>5}", "shift %", "MAC")).concat();
+    let models = LUMPED.map(|model| format!("{model:>9}{:>8}{:>5}", "shift %", "MAC")).concat();
     buffer.set_stringn(
         area.x,
         area.y,
@@ -66,7 +66,7 @@ fn line(row: &ModeRow, study: &Study, name: &dyn Fn(&str) -> String) -> String {
         let hz = one.map_or_else(dash, |one| hertz(one.hz));
         let shift = one.and_then(|one| one.shift_percent).map_or_else(dash, |shift| format!("{shift:+.1}"));
         let mac = one.and_then(|one| one.mac).map_or_else(dash, |mac| format!("{mac:.2}"));
-        format!("{hz:>10}{shift:>8}{mac:>5}")
+        format!("{hz:>9}{shift:>8}{mac:>5}")
     };
     format!("{number:>3}{hz:>9}{named}{}{}", partner(&row.lumped[0]), partner(&row.lumped[1]))
 }
