@@ -102,7 +102,7 @@ enum Row {
         within_limits: Option<bool>,
         /// Highest resonance of the finite element spectrum in the band; left out where there is none
         #[serde(skip_serializing_if = "Option::is_none")]
-        fe_highest_peak: Option<HighestPeak>,
+        fe_highest_peak: Option<Box<HighestPeak>>,
         enhanced: Figures,
         basic: Figures,
         /// Fixed-interface modes a rotor with which a reduced model keeps all sixth-octave levels within 1 dB
@@ -182,7 +182,8 @@ fn checked(file: &Path, args: &Args) -> Row {
     let lines =
         compared.frequency_hz.partition_point(|hz| *hz < low)..compared.frequency_hz.partition_point(|hz| *hz <= high);
     let peak = highest_peak(&compared.frequency_hz[lines.clone()], &compared.fe.mesh_force[lines]);
-    let fe_highest_peak = peak.map(|peak| HighestPeak { frequency_hz: peak.frequency_hz, force_n: peak.force() });
+    let fe_highest_peak =
+        peak.map(|peak| Box::new(HighestPeak { frequency_hz: peak.frequency_hz, force_n: peak.force() }));
     Row::Checked {
         file: file.display().to_string(),
         design: design.name.clone(),
