@@ -50,6 +50,10 @@ fn screens() -> Vec<Make> {
         "mrx<Enter><Esc>!",
         "e:row",
         "e?/e<Enter>n",
+        "M",
+        "O",
+        "Ossj/e",
+        "OS?",
     ]
     .into_iter()
     .map(|keys| after(keys, library))
@@ -69,6 +73,12 @@ fn screens() -> Vec<Make> {
         "wiix<Tab><Tab>",
         "wE",
         "ew?",
+        "Mjj",
+        "Mjjx",
+        "Mjjol ",
+        "Mf12",
+        "M<Tab>G?",
+        "eMx",
     ];
     screens.extend(in_tables.map(|keys| after(keys, tables)));
     screens
@@ -199,6 +209,10 @@ fn escape_sequences_never_reach_the_screen() {
             "<Enter>",
             "<Esc><Esc>c",
             "<Esc>jc",
+            "<Esc>M",
+            "<Esc>O",
+            "sj/\u{1b}\u{7}",
+            "<Esc><Esc><Esc>",
             ":\u{1b}\u{202e}",
             "<Esc><Esc>?/\x1b\u{7}",
             "<Enter>n",
@@ -288,6 +302,10 @@ fn strange_designs_and_solutions_are_drawn() {
         for stem in stems {
             assert_eq!(screen.selected(), stem);
             assert!(screen.text().contains(stem), "{}", screen.text());
+            for keys in ["O", "s"] {
+                assert!(screen.keys(keys).text().contains(stem), "{}", screen.text());
+            }
+            screen.keys("<Esc>");
             screen.keys("j");
         }
     }

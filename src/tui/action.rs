@@ -102,6 +102,16 @@ actions! {
     ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
     Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
     Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
+    Modes, "modes", Designs, "natural modes of the three models, their shapes and partners", hint 5 "modes";
+    NextPhase, "next-phase", Move, "the shape an eighth of a period later", hint 3 "phase";
+    OtherModel, "other-model", Move, "the enhanced or the basic model beside finite elements", hint 4 "enhanced/basic";
+    ShowMac, "mac", Find, "the MAC of all modes as a picture, or the table", hint 3 "MAC";
+    Deflection, "deflection", Find, "the operating deflection shape in place of the mode, or back", hint 3 "deflection";
+    TypeFrequency, "type-frequency", Find, "the operating deflection shape at a frequency that is typed", hint 4 "frequency";
+    Overview, "overview", Designs, "a table of all designs with their figures", hint 6 "overview";
+    ShowDesign, "show-design", Designs, "to the design under the cursor", hint 1 "go there";
+    SortColumn, "sort-column", Find, "order the designs by the next column", hint 2 "sort";
+    SortDirection, "sort-direction", Find, "the other way round", hint 4 "reverse";
     Swap, "swap", Designs, "swap A and B of the comparison", hint 3 "swap";
     Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
     Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";

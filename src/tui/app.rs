@@ -15,7 +15,9 @@ use super::keymap::Mode;
 use super::keys::Keys;
 use super::library::{Library, RowState};
 use super::message::Effect;
+use super::modes::ModesView;
 use super::notice::{Messages, Notice};
+use super::overview::Overview;
 use super::palette::Palette;
 use super::recovery::Recovery;
 use super::spectra::SpectraView;
@@ -49,6 +51,8 @@ pub struct App {
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
     pub spectra: Option<SpectraView>,
+    pub modes: Option<Box<ModesView>>,
+    pub overview: Overview,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -173,6 +177,8 @@ impl App {
             deleted: Vec::new(),
             compare: None,
             spectra: None,
+            modes: None,
+            overview: Overview::default(),
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::files::{FileDone, FileRequest};
+use super::modes::Study;
 use super::recovery::{Kept, Look};
 use super::spectra::{ModelCurves, Subject};
 use crate::comparison::{Comparison, Observer, SolveError};
@@ -48,6 +49,15 @@ pub trait Backend: Send + Sync {
     fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
         let _ = (path, text);
         Err(READ_ONLY.into())
+    }
+
+    /// The modes of the three models of a design; given up as soon as `wanted` says no.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] says why there are none.
+    fn modes(&self, design: &Design, wanted: &dyn Fn() -> bool) -> Result<Study, SolveError> {
+        Study::new(design, wanted)
     }
 
     /// The text of a design file, also of one that is [broken](BrokenDesign).

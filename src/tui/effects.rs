@@ -26,6 +26,8 @@ pub fn perform(effects: Vec<Effect>, worker: &Worker, session: &mut Session) -> 
             Effect::CancelCompare => worker.cancel_compare(),
             Effect::Spectra(job) => worker.spectra(*job),
             Effect::CancelSpectra => worker.cancel_spectra(),
+            Effect::Modes(job) => worker.modes(job),
+            Effect::CancelModes => worker.cancel_modes(),
             Effect::Redraw => session.clear()?,
             Effect::Copy(bytes) => session.send(&bytes)?,
             Effect::Suspend => session.suspend()?,

@@ -52,6 +52,8 @@ const EXPLORER: &[Mode] = &[
     Mode::Compare,
     Mode::Spectra,
     Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Confirm,
     Mode::Leave,
     Mode::Recovery,
@@ -60,6 +62,7 @@ const EXPLORER: &[Mode] = &[
     Mode::Help,
 ];
 const EDITOR: &[Mode] = &[
+    Mode::Modes,
     Mode::Table,
     Mode::Matrix,
     Mode::Choice,
@@ -73,8 +76,10 @@ const EDITOR: &[Mode] = &[
     Mode::Help,
 ];
 /// Where letters are text.
-const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::HelpSearch];
-const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::HelpSearch];
+const TYPED_IN_EXPLORER: &[Mode] =
+    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::HelpSearch];
+const TYPED_IN_EDITOR: &[Mode] =
+    &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::HelpSearch];
 
 impl App {
     pub(super) fn open_help(&mut self) {

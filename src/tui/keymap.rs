@@ -32,6 +32,12 @@ pub enum Mode {
     Why,
     /// The name of a file to write to is being typed.
     Export,
+    /// The natural modes of a design.
+    Modes,
+    /// The frequency of a deflection shape is being typed.
+    Frequency,
+    /// All designs with their figures.
+    Overview,
     /// The tables of a design.
     Table,
     /// A cell is being typed into.
@@ -53,7 +59,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 25] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -67,6 +73,9 @@ impl Mode {
         Self::Spectra,
         Self::Why,
         Self::Export,
+        Self::Modes,
+        Self::Frequency,
+        Self::Overview,
         Self::Table,
         Self::Cell,
         Self::Choice,
@@ -94,6 +103,9 @@ impl Mode {
             Self::Spectra => "spectra",
             Self::Why => "why",
             Self::Export => "export",
+            Self::Modes => "modes",
+            Self::Frequency => "frequency",
+            Self::Overview => "overview",
             Self::Table => "table",
             Self::Cell => "cell",
             Self::Choice => "choice",
@@ -122,6 +134,9 @@ impl Mode {
             Self::Spectra => "Over the spectra",
             Self::Why => "In the reasons for a band",
             Self::Export => "While a file to write is named",
+            Self::Modes => "In the natural modes",
+            Self::Frequency => "While a frequency is typed",
+            Self::Overview => "In the overview of designs",
             Self::Table => "In the tables",
             Self::Cell => "While a cell is typed into",
             Self::Choice => "In a list of words",
@@ -157,6 +172,8 @@ const LISTS: &[Mode] = &[
     Mode::Compare,
     Mode::Spectra,
     Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Recovery,
@@ -171,6 +188,8 @@ const ROWS: &[Mode] = &[
     Mode::Compare,
     Mode::Spectra,
     Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -190,6 +209,8 @@ const MOVING: &[Mode] = &[
     Mode::Compare,
     Mode::Spectra,
     Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -209,21 +230,37 @@ const FORM: &[Mode] = &[Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
 const TYPING: &[Mode] =
-    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Cell, Mode::Form];
+    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
+const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
 /// What lies over the explorer and is closed.
-const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why];
-const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Confirm];
+const VIEWS: &[Mode] =
+    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview];
+/// Those that are whole screens.
+const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
+const MODES: &[Mode] = &[Mode::Modes];
+const OVERVIEW: &[Mode] = &[Mode::Overview];
 const CONFIRM: &[Mode] = &[Mode::Confirm];
-const COMMANDS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Spectra, Mode::Table, Mode::Matrix, Mode::Findings];
+const COMMANDS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Findings,
+];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
 const PICTURES: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Table, Mode::Matrix, Mode::Choice];
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Table, Mode::Matrix, Mode::Choice];
 const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 const RECOVERY: &[Mode] = &[Mode::Recovery];
 const CONFLICT: &[Mode] = &[Mode::Conflict];
@@ -328,13 +365,27 @@ pub const BINDINGS: &[Binding] = &[
     key(PANES, KeyCode::BackTab, Action::NextPane),
     key(LIBRARY, KeyCode::Right, Action::NextPane),
     letter(LIBRARY, 'l', Action::NextPane),
-    letter(FILTERED, '/', Action::Filter),
+    letter(MATCHED, '/', Action::Filter),
     letter(FILTERED, 'n', Action::NextMatch),
     letter(FILTERED, 'N', Action::PreviousMatch),
     letter(LIBRARY, 't', Action::ToggleTree),
     letter(PANES, 'm', Action::Mark),
     letter(PANES, 'c', Action::Compare),
     letter(&[Mode::Compare], 'x', Action::Swap),
+    letter(OPENED, 'M', Action::Modes),
+    key(MODES, KeyCode::Left, Action::MoveLeft),
+    letter(MODES, 'h', Action::MoveLeft),
+    key(MODES, KeyCode::Right, Action::MoveRight),
+    letter(MODES, 'l', Action::MoveRight),
+    letter(MODES, ' ', Action::NextPhase),
+    key(MODES, KeyCode::Tab, Action::OtherModel),
+    letter(MODES, 'x', Action::ShowMac),
+    letter(MODES, 'o', Action::Deflection),
+    letter(MODES, 'f', Action::TypeFrequency),
+    letter(PANES, 'O', Action::Overview),
+    key(OVERVIEW, KeyCode::Enter, Action::ShowDesign),
+    letter(OVERVIEW, 's', Action::SortColumn),
+    letter(OVERVIEW, 'S', Action::SortDirection),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),
@@ -366,7 +417,7 @@ pub const BINDINGS: &[Binding] = &[
     letter(COMMANDS, ':', Action::Palette),
     letter(BROWSING, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
-    letter(&[Mode::Compare, Mode::Spectra], '?', Action::Help),
+    letter(SCREENS, '?', Action::Help),
     letter(SPECTRA, '!', Action::Messages),
     letter(OPENED, 'w', Action::OpenSpectra),
     letter(SPECTRA, 'w', Action::Back),

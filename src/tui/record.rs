@@ -65,6 +65,8 @@ fn line(message: &Message) -> Option<String> {
         },
         Message::Exported(Ok(path)) => format!("wrote {}", path.display()),
         Message::Exported(Err(error)) => format!("cannot write: {error}"),
+        Message::ModesFound { result: Ok(_), .. } => "computed modes or a deflection shape".into(),
+        Message::ModesFound { result: Err(error), .. } => format!("cannot compute modes: {error}"),
         Message::Suspend => "asked to suspend".into(),
         Message::Continued => "continued".into(),
         Message::Signal(number) => format!("signal {number}"),

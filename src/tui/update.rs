@@ -107,6 +107,10 @@ impl App {
                 self.exported(result);
                 Vec::new()
             }
+            Message::ModesFound { ticket, result } => {
+                self.modes_found(ticket, result);
+                Vec::new()
+            }
             Message::Suspend => vec![Effect::Suspend],
             Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
@@ -193,6 +197,7 @@ impl App {
             Mode::Palette => self.edit_palette(edit),
             Mode::Name => self.edit_form(edit),
             Mode::Export => self.edit_export(edit),
+            Mode::Frequency => self.edit_frequency(edit),
             _ => {}
         }
         Vec::new()
@@ -214,7 +219,7 @@ impl App {
         effects
     }
 
-    fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
+    pub(super) fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
         self.library.edit_filter(edit);
         self.follow_selection()
     }
@@ -323,6 +328,9 @@ impl App {
 
     fn page(&self) -> isize {
         match self.mode {
+            Mode::Modes => self.modes.as_ref().map_or(1, |view| view.page()),
+            Mode::Overview => self.overview.page(),
+            Mode::Filter if self.below.contains(&Mode::Overview) => self.overview.page(),
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
             Mode::Help | Mode::HelpSearch => self.help_scroll.page(),
@@ -338,6 +346,9 @@ impl App {
 
     fn move_by(&mut self, by: isize) -> Vec<Effect> {
         match self.mode {
+            Mode::Overview => self.move_in_overview(by),
+            Mode::Filter if self.below.contains(&Mode::Overview) => self.move_in_overview(by),
+            Mode::Modes => self.move_in_modes(by),
             Mode::Library | Mode::Filter => {
                 self.library.move_by(by);
                 return self.follow_selection();
@@ -390,7 +401,7 @@ impl App {
             }
             Mode::Spectra => return self.close_spectra(),
             Mode::Export => self.close_export(),
-            Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages | Mode::Why => self.close(),
+            Mode::Frequency | Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages | Mode::Why => self.close(),
             Mode::Recovery => {
                 self.close();
                 self.say("kept for later: :recover shows them again");

@@ -21,6 +21,7 @@ use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
+use bevelscope::tui::modes;
 use bevelscope::tui::spectra::{self, Part, SpectraJob};
 use bevelscope::tui::worker::{self, EditedJob, Job};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
@@ -322,6 +323,7 @@ impl Screen {
                 let result = Box::new(compare::perform(job, &*self.backend, &|| true)?);
                 Some(Message::Compared { ticket: job.ticket, result })
             }
+            Effect::Modes(job) => modes::perform(job, &*self.backend, &|| true),
             Effect::List => self.backend.list().map(Message::Listed),
             _ => None,
         }

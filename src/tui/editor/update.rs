@@ -193,6 +193,7 @@ impl App {
                 return Some(self.drop_outdated());
             }
             Action::Help
+            | Action::Modes
             | Action::Palette
             | Action::Messages
             | Action::Quit

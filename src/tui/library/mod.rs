@@ -293,6 +293,11 @@ impl Library {
         before != (self.scroll, self.height)
     }
 
+    /// All rows that match the filter, as they are listed.
+    pub fn matching(&self) -> impl Iterator<Item = &Row> {
+        self.shown.iter().filter_map(|&(at, _)| self.rows.get(at))
+    }
+
     /// The visible rows.
     pub fn visible(&self) -> impl Iterator<Item = Visible<'_>> {
         let places = self.scroll..(self.scroll + self.height).min(self.shown.len());

@@ -3,6 +3,8 @@
 pub mod compare;
 pub mod editor;
 pub mod explorer;
+pub mod modes;
+pub mod overview;
 pub mod spectra;
 
 use ratatui::buffer::Buffer;
