@@ -44,7 +44,11 @@ pub fn levels(study: &Study) -> String {
     let mut table = Table::new("Sixth-octave levels of the mesh force, dB re 1 N", heads);
     for level in &study.levels {
         let db = |value: f64| Cell::number(&format!("{value:.1}"));
-        let off = |value: f64| Cell::number(&format!("{:+.1}", value - level.fe_db));
+        let off = |value: f64| match value - level.fe_db {
+            // no sign on what is rounded away
+            -0.05..0.05 => Cell::number("0.0"),
+            off => Cell::number(&format!("{off:+.1}")),
+        };
         table.row([
             Cell::number(&format!("{} to {}", grouped(level.low_hz), grouped(level.high_hz))),
             db(level.fe_db),

@@ -6,7 +6,9 @@ mod figures;
 mod modes;
 mod table;
 
+use std::ffi::OsStr;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use super::markup::escape;
 use super::study::Study;
@@ -119,8 +121,11 @@ impl Article<'_> {
             let lines: Vec<String> = text.trim().lines().map(escape).collect();
             let _ = writeln!(out, "<p dir=\"auto\">{}</p>", lines.join("<br/>\n"));
         }
+        // a page is passed on: the folders are nobody else's business
+        let file =
+            Path::new(&loaded.name).file_name().map_or_else(|| loaded.name.clone().into(), OsStr::to_string_lossy);
         let facts = [
-            ("File", format!("<bdi>{}</bdi>", escape(&loaded.name))),
+            ("File", format!("<bdi>{}</bdi>", escape(&file))),
             ("Design hash", format!("{} (SHA-256)", hash(loaded.text.as_bytes()))),
             ("Program", format!("bevelscope {}", env!("CARGO_PKG_VERSION"))),
             ("Date", format!("<time datetime=\"{0}\">{0}</time>", escape(self.date))),
