@@ -244,10 +244,6 @@ fn bevelscope(folder: &Path, arguments: &[&str]) -> Output {
     command.output().unwrap()
 }
 
-fn shipped_path() -> String {
-    format!("{}/designs/overhung-elastic.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
 #[test]
 fn nothing_is_overwritten_unasked_and_no_design_ever() {
     let folder = tempfile::tempdir().unwrap();
