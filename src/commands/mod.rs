@@ -10,6 +10,7 @@ mod input;
 mod inspect;
 mod keys;
 mod modes;
+mod report;
 mod solve;
 
 use std::io::{self, Write};
@@ -48,6 +49,8 @@ enum Command {
     Bands(bands::Args),
     /// What was built: stations, totals, stiffness at the mesh, bending modes, effective masses, bearings
     Inspect(inspect::Args),
+    /// A page to read, print and keep: spectra, bands with reasons, peaks, modes, side view, tables
+    Report(report::Args),
     /// Where two designs differ, and how the models of both agree
     Compare(compare::Args),
     /// The keys of the explorer, with those of the user's file
@@ -124,6 +127,7 @@ impl Cli {
             Some(Command::Check(args)) => check::run(args, &mut out)?,
             Some(Command::Bands(args)) => bands::run(args, &mut out, &mut err)?,
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
+            Some(Command::Report(args)) => report::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
             Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,
             Some(Command::Doctor(args)) => doctor::run(args, &mut out)?,
