@@ -269,7 +269,7 @@ fn every_action_is_in_the_help_with_its_keys() {
 #[test]
 fn the_help_is_searched() {
     let mut screen = Folder::screen(80, 24);
-    screen.keys("?/design");
+    screen.keys("?/design's");
     let text = screen.text();
     assert!(text.contains("rename the design's file") && !text.contains("after the last letter"), "{text}");
     // names find their action, though they are not shown
