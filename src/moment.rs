@@ -14,6 +14,12 @@ pub fn readable(time: SystemTime) -> String {
     format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}.{millis:03}Z")
 }
 
+/// `2025-01-31`
+pub fn day(time: SystemTime) -> String {
+    let ([year, month, day], ..) = parts(time);
+    format!("{year:04}-{month:02}-{day:02}")
+}
+
 /// Year, month, day; hour, minute, second; milliseconds. Before 1970 it is 1970.
 fn parts(time: SystemTime) -> ([u64; 3], [u64; 3], u32) {
     let since = time.duration_since(UNIX_EPOCH).unwrap_or_default();
@@ -52,5 +58,6 @@ mod tests {
         }
         let time = UNIX_EPOCH + Duration::from_millis(1_709_251_199_042);
         assert_eq!(readable(time), "2024-02-29 23:59:59.042Z");
+        assert_eq!(day(time), "2024-02-29");
     }
 }

@@ -77,6 +77,29 @@ pub fn cut_start(text: &str, width: usize, ellipsis: &str) -> String {
     format!("{}{}", prefix(ellipsis, width), &text[start..])
 }
 
+/// Two texts, each in at most `width` columns, cut so that the first place where they differ is in sight.
+///
+/// ```
+/// use bevelscope::text::cut_apart;
+/// let texts = ["the same long beginning, then this", "the same long beginning, then that"];
+/// assert_eq!(cut_apart(texts, 12, ".."), [".. then this", ".. then that"]);
+/// ```
+pub fn cut_apart(texts: [&str; 2], width: usize, ellipsis: &str) -> [String; 2] {
+    let [a, b] = texts;
+    let same = a.chars().zip(b.chars()).take_while(|(a, b)| a == b).map(|(a, _)| a.len_utf8()).sum::<usize>();
+    let after = |text: &str| text[same..].chars().next().and_then(UnicodeWidthChar::width).unwrap_or(1).max(1);
+    let needed = a[..same].width() + after(a).max(after(b)) + ellipsis.width();
+    if needed <= width || texts.iter().all(|text| text.width() <= width) {
+        return texts.map(|text| cut(text, width, ellipsis));
+    }
+    // some of what is the same stays before it; the longer one is cut at the left as little as possible
+    let rest = texts.map(|text| text[same..].width()).into_iter().max().unwrap_or(0);
+    let room = width.saturating_sub(ellipsis.width());
+    let kept = (room.saturating_sub(ellipsis.width()) / 2).max(room.saturating_sub(rest));
+    let start = cut_start(&a[..same], kept, "").len();
+    texts.map(|text| cut(&format!("{ellipsis}{}", &text[same - start..]), width, ellipsis))
+}
+
 /// The longest start of `text` that fits `width` columns.
 pub fn prefix(text: &str, width: usize) -> &str {
     let mut used = 0;
@@ -113,6 +136,49 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
         lines.push(rest.to_owned());
     }
     lines
+}
+
+/// As [`wrap`], but lines quoted from a file, `  12 | kq = 6e8`, and the marks under them, `     | ^^`, are cut so that the
+/// marks stay below what they mark.
+pub fn wrap_quoted(text: &str, width: usize, ellipsis: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut rest = text.lines().peekable();
+    while let Some(line) = rest.next() {
+        let Some(gutter) = gutter(line) else {
+            lines.extend(if line.is_empty() { vec![String::new()] } else { wrap(line, width) });
+            continue;
+        };
+        let marks = rest.next_if(|next| is_marks(next));
+        // the marks, or as much of them as there is room for, are in sight
+        let room = width.saturating_sub(gutter.width() + ellipsis.width());
+        let marked = marks.map_or("", |marks| &marks[marks.find('|').map_or(0, |at| at + 1)..]);
+        let start = marked.width() - marked.trim_start().width();
+        let skipped = if marked.width() > room { start.saturating_sub(room / 2) } else { 0 };
+        let cut_line = |line: &str, with: &str| {
+            let line = printable(&line.replace('\t', "    ")).into_owned();
+            let (head, tail) = line.split_at(line.find('|').map_or(0, |at| at + 1));
+            if skipped == 0 {
+                return cut(&line, width, with);
+            }
+            let tail = &tail[prefix(tail, skipped + with.width()).len()..];
+            cut(&format!("{head}{with}{tail}"), width, with)
+        };
+        lines.push(cut_line(line, ellipsis));
+        let blank = " ".repeat(ellipsis.width());
+        lines.extend(marks.map(|marks| cut_line(marks, &blank).trim_end().to_owned()));
+    }
+    lines
+}
+
+/// `  12 |` of a line that is quoted with its number.
+fn gutter(line: &str) -> Option<&str> {
+    let (number, _) = line.split_once('|')?;
+    let is_number = number.trim().bytes().all(|byte| byte.is_ascii_digit());
+    (is_number && number.starts_with(' ')).then(|| &line[..=number.len()])
+}
+
+fn is_marks(line: &str) -> bool {
+    line.split_once('|').is_some_and(|(before, marks)| before.trim().is_empty() && marks.trim_start().starts_with('^'))
 }
 
 #[cfg(test)]
@@ -155,6 +221,37 @@ mod tests {
         assert_eq!(cut("overhung", 0, "…"), "");
         assert_eq!(cut("overhung", 2, "..."), "..");
         assert_eq!(cut_start("/home/me/designs", 9, "…"), "…/designs");
+    }
+
+    #[test]
+    fn two_texts_are_cut_where_they_differ() {
+        assert_eq!(cut_apart(["short", "shore"], 9, "…"), ["short", "shore"]);
+        // from the start as long as that shows it
+        assert_eq!(cut_apart(["6.0e8 and so on", "7.0e8 and so on"], 9, "…"), ["6.0e8 an…", "7.0e8 an…"]);
+        for width in 3..40 {
+            let texts = ["傘歯車装置, overhung and elastic".to_owned(), "傘歯車装置, overhung and rigid".to_owned()];
+            let [a, b] = cut_apart([&texts[0], &texts[1]], width, "…");
+            assert!(a != b && a.width() <= width && b.width() <= width, "{width}: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn marks_stay_below_what_they_mark() {
+        let quoted = "a.toml:14: an unknown key\n  14 | first = 1, second = 2, third = 3\n     |                        ^^^^^\n\nthe end";
+        for width in 14..60 {
+            let lines = wrap_quoted(quoted, width, "…");
+            assert!(lines.iter().all(|line| line.width() <= width), "{width}: {lines:?}");
+            let at = lines.iter().position(|line| line.starts_with("  14 |")).unwrap();
+            let column = |line: &str, what: &str| line.find(what).map(|at| line[..at].width());
+            let marks = column(&lines[at + 1], "^").unwrap();
+            assert_eq!(
+                column(&lines[at], "third").or(column(&lines[at], "thi")).or(column(&lines[at], "t")),
+                Some(marks),
+                "{width}: {lines:?}"
+            );
+            assert_eq!(lines.last().unwrap(), "the end");
+            assert_eq!(lines[lines.len() - 2], "");
+        }
     }
 
     #[test]

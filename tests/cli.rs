@@ -505,6 +505,7 @@ fn a_range_of_one_frequency_is_solved_in_time() {
 fn a_mistyped_command_is_recognised() {
     refused(&["slove"], &["did you mean the command `solve`"]);
     refused(&["-"], &["standard input"]);
+    refused(&["--ascii", "keys"], &["`keys` is a command", "bevelscope keys"]);
 }
 
 #[test]

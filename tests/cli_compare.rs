@@ -85,18 +85,34 @@ fn spectra_on_different_lines_are_not_subtracted() {
     assert_eq!(json["fe_rms_db"], Value::Null);
 }
 
+// A terminal's lines are cut; what goes elsewhere is whole.
 #[test]
-fn tables_fit_eighty_columns() {
-    for [a, b] in [["overhung-elastic", "straddle-elastic"], ["overhung-rigid", "overhung-elastic"]] {
-        let output = compare(&[&design(a), &design(b)]);
-        assert_eq!(output.status.code(), Some(0));
-        let text = String::from_utf8(output.stdout).unwrap();
-        for line in text.lines() {
-            assert!(line.chars().count() <= 80, "{line}");
-        }
-        for head in ["key", "limit Hz", "dB", "FRAC", "basic"] {
-            assert!(text.contains(head), "{head}: {text}");
-        }
+fn what_is_piped_is_not_cut() {
+    let long = format!("name = \"{} and its end\"", "long ".repeat(40).trim_end());
+    let (_folder, path) = edited(&[("name = \"Both overhung, elastic bearings\"", &long)]);
+    let output = compare(&[&design("overhung-elastic"), path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(text.matches("long and its end").count(), 2, "{text}");
+    for head in ["key", "limit Hz", "dB", "FRAC", "basic"] {
+        assert!(text.contains(head), "{head}: {text}");
+    }
+}
+
+#[test]
+fn rows_come_and_go_as_wholes() {
+    let text = std::fs::read_to_string(design("overhung-elastic")).unwrap();
+    let first = text.find("[[pinion.segment]]").unwrap();
+    let (_folder, path) = edited(&[]);
+    let row = "[[pinion.segment]]\nlength_mm = 1.0\nouter_diameter_mm = 40.0\n\n";
+    std::fs::write(&path, format!("{}{row}{}", &text[..first], &text[first..])).unwrap();
+    let path = path.to_str().unwrap();
+    for (files, change) in
+        [([&*design("overhung-elastic"), path], "added"), ([path, &design("overhung-elastic")], "removed")]
+    {
+        let text = String::from_utf8(compare(&files).stdout).unwrap();
+        let rows: Vec<&str> = text.lines().filter(|line| line.contains("pinion.segment")).collect();
+        assert!(rows.len() == 1 && rows[0].contains("pinion.segment[0]") && rows[0].ends_with(change), "{text}");
     }
 }
 

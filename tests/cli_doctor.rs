@@ -2,9 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::time::SystemTime;
 
+use bevelscope::design::library::{Journals, Locks};
 use serde_json::Value;
 
 fn doctor(home: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
@@ -101,4 +104,64 @@ fn folders_are_tried_and_none_is_made() {
     assert_eq!(std::fs::read_dir(home.path().join("designs")).unwrap().count(), 0);
     let named = json(home.path(), &["--keys", "mine.toml"], &[]);
     assert_eq!(named["folders"]["key_file"], "mine.toml (not there: the shipped keys hold)");
+}
+
+/// Name, time of the last change and content of everything below a folder.
+fn everything(folder: &Path) -> Vec<(PathBuf, SystemTime, Vec<u8>)> {
+    let mut all = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            all.extend(everything(&path));
+        } else {
+            let changed = fs::metadata(&path).unwrap().modified().unwrap();
+            all.push((path.clone(), changed, fs::read(&path).unwrap()));
+        }
+    }
+    all.sort();
+    all
+}
+
+#[test]
+fn locks_and_journals_are_told_and_stay_as_they_are() {
+    let home = tempfile::tempdir().unwrap();
+    let (designs, recovery) = (home.path().join("designs"), home.path().join("state/bevelscope/recovery"));
+    fs::create_dir(&designs).unwrap();
+    let [open, left] = ["open.toml", "left.toml"].map(|name| designs.join(name));
+    for design in [&open, &left] {
+        fs::write(design, "old").unwrap();
+    }
+    let mut locks = Locks::default();
+    assert_eq!(locks.hold(&open), None);
+    let mut living = Journals::new(recovery.clone());
+    living.keep(&open, "old", "mine").unwrap();
+    let mut ended = Journals::new(recovery.clone());
+    ended.keep(&left, "old", "theirs").unwrap();
+    drop(ended);
+    fs::write(recovery.join("damaged.journal"), "nonsense").unwrap();
+    // a draft whose writer was killed a day ago: the next explorer may remove it
+    let draft = recovery.join(".bevelscope.1.0.new");
+    fs::write(&draft, "half").unwrap();
+    fs::File::options().write(true).open(&draft).unwrap().set_modified(SystemTime::UNIX_EPOCH).unwrap();
+    let before = everything(home.path());
+
+    let report = json(home.path(), &[], &[])["designs_in_use"].clone();
+    let rows: Vec<String> = report.as_object().unwrap().values().map(|row| row.as_str().unwrap().into()).collect();
+    let about = |name: &str| rows.iter().filter(|row| row.contains(name)).cloned().collect::<Vec<_>>();
+    if cfg!(target_os = "linux") {
+        let held = format!("open.toml by process {} of", std::process::id());
+        assert!(rows.iter().any(|row| row.contains(&held)), "{report}");
+    }
+    assert!(report["locks"].as_str().unwrap().starts_with("1 of 2 designs"), "{report}");
+    assert!(report["journals"].as_str().unwrap().starts_with("3 in "), "{report}");
+    assert!(about("open.toml").iter().any(|row| row.contains("of a program that runs")), "{report}");
+    let [of_left] = &about("left.toml")[..] else { panic!("{report}") };
+    assert!(
+        of_left.contains("left by a program that ended") && of_left.contains(env!("CARGO_PKG_VERSION")),
+        "{report}"
+    );
+    assert_eq!(about("damaged.journal").len(), 1, "{report}");
+    // the edits themselves are nobody's business
+    assert!(!rows.iter().any(|row| row.contains("mine") || row.contains("theirs")), "{report}");
+    assert_eq!(everything(home.path()), before);
 }

@@ -104,6 +104,50 @@ fn a_matrix_is_listed_once_for_both_halves() {
     assert_eq!(shown(&diff(&a, &c)), ["pinion.bearing[head bearing].stiffness[1][0]: 0.0 -> 0.5 N/m"]);
 }
 
+#[test]
+fn rows_are_compared_with_the_rows_that_they_are() {
+    let a = SHIPPED[0].text;
+    // a segment more, a copy of the first, moves all others
+    let b = edited(
+        a,
+        &[
+            Edit::InsertRow { list: path("pinion.segment"), place: 0 },
+            set("pinion.segment[3].outer_diameter_mm", "37"),
+            Edit::DeleteRow { row: path("pinion.segment[4]") },
+        ],
+    );
+    let found = diff(a, &b);
+    let expected = [
+        "pinion.segment[1]: - -> row",
+        "pinion.segment[2].outer_diameter_mm: 36.0 -> 37 mm",
+        "pinion.segment[3]: row -> -",
+    ];
+    assert_eq!(shown(&found), expected);
+    assert_eq!(found.iter().map(Difference::shown).map(|[_, b]| b).collect::<Vec<_>>(), ["added", "37", "removed"]);
+    assert_eq!(found[1].path_in_b.to_string(), "pinion.segment[3].outer_diameter_mm");
+    assert_eq!(found[1].label_in_b, "outer diameter of pinion segment 4");
+    // nothing but the name
+    let b = edited(a, &[set("pinion.bearing[0].name", "'front'")]);
+    let found = diff(a, &b);
+    assert_eq!(shown(&found), ["pinion.bearing[head bearing].name: head bearing -> front"]);
+    assert_eq!(found[0].path_in_b.to_string(), "pinion.bearing[front].name");
+    let b = edited(&b, &[set("pinion.bearing[0].kx_n_per_m", "1e8")]);
+    assert_eq!(shown(&diff(a, &b)), ["pinion.bearing[head bearing]: row -> -", "pinion.bearing[front]: - -> row"]);
+    let a = edited(a, &[Edit::AddMaterial { name: "bronze".into() }]);
+    let b = edited(&a, &[Edit::RenameMaterial { from: "bronze".into(), to: "brass".into() }]);
+    assert_eq!(shown(&diff(&a, &b)), ["material.bronze: bronze -> brass"]);
+}
+
+#[test]
+fn many_rows_are_compared_in_no_time_and_by_place() {
+    let segment = |length: usize| format!("[[pinion.segment]]\nlength_mm = {length}.0\n");
+    let text = |from: usize| (from..from + 2000).map(segment).collect::<String>();
+    // all differ: 4 million combinations are not tried
+    assert_eq!(diff(&text(1), &text(5001)).len(), 2000);
+    // one more is found among any number
+    assert_eq!(diff(&text(1), &format!("{}{}", segment(7000), text(1))).len(), 1);
+}
+
 // There and back is the same list with the sides swapped.
 #[test]
 fn sides_are_swapped_when_designs_are() {
@@ -115,10 +159,12 @@ fn sides_are_swapped_when_designs_are() {
             };
             let there = sorted(diff(a.text, b.text));
             let back = sorted(diff(b.text, a.text));
-            let swapped = |d: &Difference| (d.path.clone(), d.b.clone(), d.a.clone(), d.unit);
-            let plain = |d: &Difference| (d.path.clone(), d.a.clone(), d.b.clone(), d.unit);
-            assert_eq!(there.iter().map(swapped).collect::<Vec<_>>(), back.iter().map(plain).collect::<Vec<_>>());
-            assert_eq!(there.is_empty(), a == b);
+            let swapped = |mut d: Difference| {
+                d.swap();
+                d
+            };
+            assert_eq!(sorted(there.into_iter().map(swapped).collect()), back);
+            assert_eq!(back.is_empty(), a == b);
         }
     }
     assert_eq!(diff("a = ", "b = [").len(), 0);

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bevelscope::design::library::{LibraryError, SHIPPED, default_folder_in, files};
+use bevelscope::design::library::{DefaultFolder, LibraryError, SHIPPED, default_folder_in, files};
 use bevelscope::design::{LoadError, load};
 
 fn manifest(path: &str) -> PathBuf {
@@ -82,14 +82,15 @@ fn the_library_here_comes_first() {
     let here = tempfile::tempdir().unwrap();
     fs::create_dir(here.path().join("designs")).unwrap();
     let data = tempfile::tempdir().unwrap();
-    assert_eq!(default_folder_in(here.path(), Some(data.path())).unwrap(), here.path().join("designs"));
+    assert_eq!(default_folder_in(here.path(), Some(data.path())).unwrap().path, here.path().join("designs"));
     assert_eq!(fs::read_dir(data.path()).unwrap().count(), 0);
 }
 
 #[test]
 fn the_first_use_fills_the_data_folder_and_later_ones_leave_it() {
     let (here, data) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-    let folder = default_folder_in(here.path(), Some(data.path())).unwrap();
+    let DefaultFolder { path: folder, is_new } = default_folder_in(here.path(), Some(data.path())).unwrap();
+    assert!(is_new);
     assert_eq!(folder, data.path().join("bevelscope/designs"));
     let filled = files(std::slice::from_ref(&folder));
     assert!(filled.len() == SHIPPED.len() && filled.iter().all(|path| load(path).is_ok()));
@@ -98,7 +99,7 @@ fn the_first_use_fills_the_data_folder_and_later_ones_leave_it() {
 
     fs::write(folder.join(SHIPPED[0].file_name), "mine").unwrap();
     fs::remove_file(folder.join(SHIPPED[1].file_name)).unwrap();
-    default_folder_in(here.path(), Some(data.path())).unwrap();
+    assert!(!default_folder_in(here.path(), Some(data.path())).unwrap().is_new);
     assert_eq!(fs::read_to_string(folder.join(SHIPPED[0].file_name)).unwrap(), "mine");
     assert!(!folder.join(SHIPPED[1].file_name).exists());
 }

@@ -150,7 +150,7 @@ fn modules_know_what_the_architecture_says() {
         ("response/", &["response", "model", "rotor", "design"]),
         ("agreement/", &["agreement", "response", "model", "rotor", "design"]),
         ("comparison.rs", &["agreement", "response", "model", "rotor", "design"]),
-        ("report/", &["report", "agreement", "comparison", "model", "text"]),
+        ("report/", &["report", "agreement", "comparison", "response", "model", "design", "number", "text"]),
         (
             "commands/",
             &[

@@ -211,6 +211,12 @@ fn stale_drafts_are_removed_and_those_of_the_living_are_not() {
     save(&draft("a.toml"), "a").unwrap();
     let left = [".bevelscope.1.1.new", ".bevelscope.1.2.new", "a.toml", "other.new"];
     assert_eq!(names(folder.path()), left);
+    // looking at journals changes nothing; looking for what is left does
+    drop(make(".bevelscope.1.3.new"));
+    assert!(journals(folder.path()).is_empty());
+    assert!(draft(".bevelscope.1.3.new").exists());
+    assert_eq!(left_edits(folder.path(), &[], &[]), Left::default());
+    assert_eq!(names(folder.path()), left);
 }
 
 const CHILD: &str = "BEVELSCOPE_TEST_HOLDS";

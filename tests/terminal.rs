@@ -217,7 +217,7 @@ fn files_are_renamed_copied_deleted_and_brought_back() {
     terminal.wait_for_text("renamed first to second");
     assert_eq!(files(), ["second.toml"]);
     terminal.press("\x19\r");
-    terminal.wait_for_text("Designs 1 of 2");
+    terminal.wait_for_text("Designs 2 of 2");
     assert_eq!(files(), ["second-2.toml", "second.toml"]);
     terminal.press("Dy");
     terminal.wait_for_text("deleted second-2");

@@ -301,21 +301,45 @@ fn a_full_disk_is_said_and_nothing_is_lost() {
     terminal.wait_end(LONG);
 }
 
+/// Ways in which the folder of journals cannot be written, also for the superuser, whom permissions do not stop.
+const NO_FOLDER: [fn(&Place); 5] = [
+    |place| std::fs::write(place.state(), "").unwrap(),
+    |place| {
+        std::fs::create_dir(place.state()).unwrap();
+        std::fs::write(place.state().join("bevelscope"), "").unwrap();
+    },
+    |place| {
+        std::fs::create_dir_all(place.state().join("bevelscope")).unwrap();
+        std::fs::write(place.recovery(), "").unwrap();
+    },
+    // what takes nothing, and what is nowhere
+    |place| {
+        std::fs::create_dir_all(place.state().join("bevelscope")).unwrap();
+        std::os::unix::fs::symlink("/dev/full", place.recovery()).unwrap();
+    },
+    |place| {
+        std::fs::create_dir_all(place.state().join("bevelscope")).unwrap();
+        std::os::unix::fs::symlink("/dev/full/recovery", place.recovery()).unwrap();
+    },
+];
+
 #[test]
-fn a_state_folder_that_is_a_file_is_said() {
-    let place = Place::new();
-    std::fs::write(place.state(), "").unwrap();
-    let mut terminal = place.start("");
-    terminal.wait_for("trust up to 2,997 Hz");
-    terminal.press("e");
-    terminal.wait_for("pinion segments");
-    terminal.press("c36.5\r");
-    terminal.wait_for("unsaved edits are not protected");
-    terminal.press("s");
-    terminal.wait_for("saved a.toml");
-    assert!(place.text().contains(AFTER));
-    terminal.press("\x03");
-    terminal.wait_end(LONG);
+fn a_folder_that_cannot_be_written_is_said_and_nothing_is_lost() {
+    for spoil in NO_FOLDER {
+        let place = Place::new();
+        spoil(&place);
+        let mut terminal = place.start("");
+        terminal.wait_for("trust up to 2,997 Hz");
+        terminal.press("e");
+        terminal.wait_for("pinion segments");
+        terminal.press("c36.5\r");
+        terminal.wait_for("unsaved edits are not protected");
+        terminal.press("s");
+        terminal.wait_for("saved a.toml");
+        assert!(place.text().contains(AFTER));
+        terminal.press("\x03");
+        terminal.wait_end(LONG);
+    }
 }
 
 const CHILD: &str = "BEVELSCOPE_TEST_PANICS";

@@ -110,8 +110,11 @@ impl Backend for Folder {
         let bearing = KeyPath::root().key("pinion").key("bearing").name("B1");
         let one = |key: &str, label: &str, a: Option<&str>, b: Option<&str>, unit| Difference {
             is_number: false,
+            is_row: key == "flange",
             path: bearing.key(key),
+            path_in_b: bearing.key(key),
             label: label.into(),
+            label_in_b: label.into(),
             a: a.map(Into::into),
             b: b.map(Into::into),
             unit,
@@ -126,7 +129,7 @@ impl Backend for Folder {
                 Some("9e8"),
                 "N/m",
             ),
-            one("name", "row of pinion body flange", Some("row"), None, ""),
+            one("flange", "pinion body flange", Some("row"), None, ""),
         ])
     }
 }
@@ -266,7 +269,7 @@ fn every_action_is_in_the_help_with_its_keys() {
 #[test]
 fn the_help_is_searched() {
     let mut screen = Folder::screen(80, 24);
-    screen.keys("?/design");
+    screen.keys("?/design's");
     let text = screen.text();
     assert!(text.contains("rename the design's file") && !text.contains("after the last letter"), "{text}");
     // names find their action, though they are not shown
@@ -364,6 +367,7 @@ fn files_are_renamed_copied_deleted_and_brought_back() {
     screen.keys("jjjr");
     assert_eq!(screen.app.form.as_ref().unwrap().field.text(), "other");
     // the same name is none, nor is one that is taken, nor one that no system takes
+    screen.keys("<Enter>");
     assert!(screen.text().contains("this is its name now"), "{}", screen.text());
     screen.keys("<Ctrl-u>base");
     assert!(screen.text().contains("of that name already"), "{}", screen.text());

@@ -40,7 +40,7 @@ fn what_was_saved_is_what_the_library_shows_at_once() {
     assert!(screen.text().contains("trust up to 2,997 Hz"), "{}", screen.text());
     screen.keys("c60<Enter>");
     let now = line(&screen, "enhanced:").replace(" (was 2,997)", "");
-    let limit = now.split("trust up to ").nth(1).unwrap().split(" Hz").next().unwrap().to_owned();
+    let limit = now.split("trust to ").nth(1).unwrap().split(" Hz").next().unwrap().to_owned();
     assert_ne!(limit, "2,997");
     // nothing is solved any more, and the figures are there all the same
     screen.keys("s");
@@ -141,7 +141,7 @@ fn a_row_passes_its_twin() {
     assert_eq!(editing(&screen).cursor().row, 2);
     screen.keys("K");
     assert_eq!(editing(&screen).cursor().row, 1);
-    assert!(screen.text().contains("moved"), "{}", screen.text());
+    assert!(screen.text().contains("done: move segment"), "{}", screen.text());
     screen.keys("K");
     assert_eq!(editing(&screen).cursor().row, 0);
     screen.keys("uu");

@@ -126,7 +126,7 @@ fn scrolling_is_held_at_both_ends() {
     screen.keys("k");
     assert_eq!(screen.app.help_scroll.top, bottom - 1);
     // a larger window has room for more
-    screen.resize(120, 200);
+    screen.resize(120, 400);
     assert_eq!(screen.app.help_scroll.top, 0);
 }
 

@@ -3,19 +3,37 @@
 
 mod tui_support;
 
+use std::num::NonZero;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::{Design, Difference, KeyPath};
 use bevelscope::rotor::RotorError;
 use bevelscope::tui::files::{FileDone, FileRequest};
+use bevelscope::tui::message::Effect;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use num_complex::Complex64;
 use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, design, not_solved};
 
+/// Makes a screen that is to be drawn at every size.
+type Make = Box<dyn Fn() -> Screen + Send + Sync>;
+
+/// A screen after some keys.
+fn after(keys: &'static str, make: impl Fn() -> Screen + Send + Sync + 'static) -> Make {
+    Box::new(move || {
+        let mut screen = make();
+        screen.keys(keys);
+        screen
+    })
+}
+
 /// The states that are drawn at every size.
-fn screens() -> Vec<Screen> {
-    let mut screens: Vec<Screen> = [
+fn screens() -> Vec<Make> {
+    let library = || Screen::new(80, 24, UNICODE);
+    let tables = || Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
+    let mut screens: Vec<Make> = [
         "",
         "jjj<Tab>",
         "?",
@@ -27,35 +45,47 @@ fn screens() -> Vec<Screen> {
         "D",
         "!",
         "mjc",
+        "w",
         "mjjjc",
         "mrx<Enter><Esc>!",
         "e:row",
         "e?/e<Enter>n",
+        "M",
+        "O",
+        "Ossj/e",
+        "OS?",
     ]
     .into_iter()
-    .map(|keys| {
-        let mut screen = Screen::new(80, 24, UNICODE);
-        screen.keys(keys);
-        screen
-    })
+    .map(|keys| after(keys, library))
     .collect();
-    screens.push(Screen::new(80, 24, ASCII));
-    for keys in ["e<F2>j", "elc-5<Enter>f", "e<F2>lll l<Enter>c1 kg<Enter>"] {
-        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
-        screen.keys(keys);
-        screens.push(screen);
-    }
-    screens.push(Screen::with(&[], 80, 24, UNICODE, MadeUp));
-    for keys in ["e:row", "e?/e<Enter>n", "ea<Esc>q"] {
-        let mut screen = Screen::with(&["overhung-elastic"], 80, 24, UNICODE, Shelf::shipped());
-        screen.keys(keys);
-        screens.push(screen);
-    }
+    screens.push(Box::new(|| Screen::new(80, 24, ASCII)));
+    screens.push(Box::new(|| Screen::with(&[], 80, 24, UNICODE, MadeUp)));
+    let in_tables = [
+        "e<F2>j",
+        "elc-5<Enter>f",
+        "e<F2>lll l<Enter>c1 kg<Enter>",
+        "e:row",
+        "e?/e<Enter>n",
+        "ea<Esc>q",
+        "w",
+        "wav4d",
+        "wn<Enter>",
+        "wiix<Tab><Tab>",
+        "wE",
+        "ew?",
+        "Mjj",
+        "Mjjx",
+        "Mjjol ",
+        "Mf12",
+        "M<Tab>G?",
+        "eMx",
+    ];
+    screens.extend(in_tables.map(|keys| after(keys, tables)));
     screens
 }
 
-#[test]
-fn no_size_panics() {
+/// Every width at three heights, every height at three widths, and a thousand at random.
+fn sizes() -> Vec<(u16, u16)> {
     let mut sizes: Vec<(u16, u16)> = Vec::new();
     for height in [1, 24, 200] {
         sizes.extend((1..=200).map(|width| (width, height)));
@@ -69,18 +99,46 @@ fn no_size_panics() {
         (state >> 16) as u16
     };
     sizes.extend((0..1000).map(|_| (random() % 220 + 1, random() % 90 + 1)));
-    for screen in &mut screens() {
-        for &(width, height) in &sizes {
-            screen.resize(width, height);
-            let lines: Vec<_> = screen.text().lines().map(str::to_owned).collect();
-            assert_eq!(lines.len(), usize::from(height));
-            if width >= 60 && height >= 18 {
-                assert!(lines[0].starts_with(" bevelscope"), "{width}x{height}");
-                assert!(!lines[usize::from(height) - 1].is_empty(), "{width}x{height}");
-            } else if width >= 20 && height >= 6 {
-                assert!(lines.concat().contains("60x18"), "{width}x{height}");
-            }
+    sizes
+}
+
+fn is_drawn_at(screen: &mut Screen, sizes: &[(u16, u16)]) {
+    for &(width, height) in sizes {
+        screen.resize(width, height);
+        let area = screen.buffer().area;
+        assert_eq!((area.width, area.height), (width, height));
+        if width >= 60 && height >= 18 {
+            assert!(screen.line(0).starts_with(" bevelscope"), "{width}x{height}");
+            assert!(!screen.line(height - 1).is_empty(), "{width}x{height}");
+        } else if width >= 20 && height >= 6 {
+            assert!(screen.text().replace('\n', "").contains("60x18"), "{width}x{height}");
         }
+    }
+}
+
+#[test]
+fn no_size_panics() {
+    let (screens, sizes, next) = (screens(), sizes(), AtomicUsize::new(0));
+    let work = || {
+        while let Some(make) = screens.get(next.fetch_add(1, Ordering::Relaxed)) {
+            is_drawn_at(&mut make(), &sizes);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, NonZero::get) {
+            scope.spawn(work);
+        }
+    });
+}
+
+/// The terminal may have been smaller in between, and has lost what stood there then.
+#[test]
+fn a_size_that_is_the_known_one_again_is_drawn_whole() {
+    let mut screen = Screen::new(80, 24, UNICODE);
+    for (width, height) in [(80, 24), (1, 1), (80, 24)] {
+        screen.effects.clear();
+        screen.resize(width, height);
+        assert!(matches!(screen.effects[..], [Effect::Redraw]), "{:?}", screen.effects);
     }
 }
 
@@ -102,8 +160,11 @@ impl Backend for Hostile {
     fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {
         Ok(vec![Difference {
             is_number: false,
+            is_row: false,
             path: KeyPath::root().key(ESCAPES),
+            path_in_b: KeyPath::root().key(ESCAPES),
             label: ESCAPES.into(),
+            label_in_b: ESCAPES.into(),
             a: Some(ESCAPES.into()),
             b: Some(ESCAPES.into()),
             unit: "N/m",
@@ -144,8 +205,14 @@ fn escape_sequences_never_reach_the_screen() {
             "<Esc>D",
             "<Esc>Y<Enter>",
             "<Esc>m",
-            "gc",
+            "gw",
+            "<Enter>",
+            "<Esc><Esc>c",
             "<Esc>jc",
+            "<Esc>M",
+            "<Esc>O",
+            "sj/\u{1b}\u{7}",
+            "<Esc><Esc><Esc>",
             ":\u{1b}\u{202e}",
             "<Esc><Esc>?/\x1b\u{7}",
             "<Enter>n",
@@ -235,6 +302,10 @@ fn strange_designs_and_solutions_are_drawn() {
         for stem in stems {
             assert_eq!(screen.selected(), stem);
             assert!(screen.text().contains(stem), "{}", screen.text());
+            for keys in ["O", "s"] {
+                assert!(screen.keys(keys).text().contains(stem), "{}", screen.text());
+            }
+            screen.keys("<Esc>");
             screen.keys("j");
         }
     }

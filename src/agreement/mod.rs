@@ -17,7 +17,7 @@ pub use differences::{difference_db, frac};
 pub use disagreement::{DisagreementBand, disagreement_bands};
 pub use modal::{COMPARED_FE_MODES, ModalComparison, ModalError, Responsible};
 pub use pairing::{ModePair, mac_matrix, pair_modes};
-pub use peaks::{Peak, PeakPair, pair_peaks, peaks};
+pub use peaks::{Peak, PeakPair, highest_peak, pair_peaks, peaks};
 pub use reduction::reduced_modes_for;
 
 /// How far the sixth-octave levels may differ for the agreement limit, dB.

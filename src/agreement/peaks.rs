@@ -10,6 +10,13 @@ pub struct Peak {
     pub level_db: f64,
 }
 
+impl Peak {
+    /// |`F_m`|, N.
+    pub fn force(&self) -> f64 {
+        10.0_f64.powf(self.level_db / 20.0)
+    }
+}
+
 /// A peak of the finite element model and its partner; one side is `None` where it has none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PeakPair {
@@ -42,6 +49,11 @@ pub fn peaks(frequency_hz: &[f64], force: &[Complex64]) -> Vec<Peak> {
         }
     }
     found
+}
+
+/// The highest of the [`peaks`].
+pub fn highest_peak(frequency_hz: &[f64], force: &[Complex64]) -> Option<Peak> {
+    peaks(frequency_hz, force).into_iter().max_by(|a, b| a.level_db.total_cmp(&b.level_db))
 }
 
 /// For every value, the lowest one seen since the last strictly higher value; one pass with a stack of falling values.

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError, mpsc};
 
 use super::{CommandError, Format, Status, input};
-use crate::agreement::reduced_modes_for;
+use crate::agreement::{highest_peak, reduced_modes_for};
 use crate::comparison;
 use crate::design::{self, LoadError, library};
 use crate::model::Rotors;
@@ -85,6 +85,12 @@ fn designs(paths: &[PathBuf]) -> Vec<Result<PathBuf, Row>> {
 }
 
 #[derive(serde::Serialize)]
+struct HighestPeak {
+    frequency_hz: f64,
+    force_n: f64,
+}
+
+#[derive(serde::Serialize)]
 #[serde(untagged)]
 enum Row {
     Checked {
@@ -94,6 +100,9 @@ enum Row {
         /// Whether the enhanced model keeps the limits asked for; left out where none is
         #[serde(skip_serializing_if = "Option::is_none")]
         within_limits: Option<bool>,
+        /// Highest resonance of the finite element spectrum in the band; left out where there is none
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fe_highest_peak: Option<Box<HighestPeak>>,
         enhanced: Figures,
         basic: Figures,
         /// Fixed-interface modes a rotor with which a reduced model keeps all sixth-octave levels within 1 dB
@@ -170,11 +179,18 @@ fn checked(file: &Path, args: &Args) -> Row {
     let within = args.max_rms_db.is_none_or(|limit| agreement.rms_db <= limit)
         && args.min_limit_hz.is_none_or(|limit| agreement.agreement_limit_hz >= limit);
     let all_lines = [design.analysis.frequency_min, design.analysis.frequency_max];
+    let [low, high] = args.band.map_or([0.0, f64::INFINITY], |band| band.0);
+    let lines =
+        compared.frequency_hz.partition_point(|hz| *hz < low)..compared.frequency_hz.partition_point(|hz| *hz <= high);
+    let peak = highest_peak(&compared.frequency_hz[lines.clone()], &compared.fe.mesh_force[lines]);
+    let fe_highest_peak =
+        peak.map(|peak| Box::new(HighestPeak { frequency_hz: peak.frequency_hz, force_n: peak.force() }));
     Row::Checked {
         file: file.display().to_string(),
         design: design.name.clone(),
         band_hz: args.band.map_or(all_lines, |band| band.0),
         within_limits: limited.then_some(within),
+        fe_highest_peak,
         enhanced: (&compared.enhanced_agreement).into(),
         basic: (&compared.basic_agreement).into(),
         reduced_modes_for_1_db: reduced_modes,

@@ -1,9 +1,9 @@
 //! `bevelscope compare`: where two designs differ, and how the models of both agree.
 //!
-//! The table of differences has a line for each value by its key path, as both files spell it, with its unit. What only one design has, a value or a whole row, has `-` for the other. Then the agreement of both, and how far
+//! The table of differences has a line for each value by its key path, as both files spell it, with its unit. A value that only one design has is `-` for the other; a row that only one has is `added` or `removed`. Only a terminal's lines are cut. Then the agreement of both, and how far
 //! apart the finite element spectra are, where both are computed on the same lines.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use unicode_width::UnicodeWidthStr;
@@ -13,7 +13,7 @@ use crate::comparison::{self, Comparison};
 use crate::design::{Difference, Loaded, diff};
 use crate::number::grouped;
 use crate::report::{Figures, Table, json};
-use crate::text::{cut, printable};
+use crate::text::{cut, cut_apart, printable};
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -35,7 +35,10 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let fe_rms_db = a.comparison.fe_rms_db(&b.comparison);
     match args.format {
         Format::Json => json::write(out, &Output::new(&a, &b, &differences, fe_rms_db))?,
-        Format::Table => write_tables(out, &a, &b, &differences, fe_rms_db)?,
+        Format::Table => {
+            let width = if io::stdout().is_terminal() { WIDTH } else { usize::MAX };
+            write_tables(out, (&a, &b), &differences, fe_rms_db, width)?;
+        }
     }
     Ok(Status::Success)
 }
@@ -79,8 +82,10 @@ struct SideOutput<'a> {
 
 #[derive(serde::Serialize)]
 struct DifferenceOutput<'a> {
-    /// Key path; its last key names the unit
+    /// Key path in A; its last key names the unit
     key: String,
+    /// The same in B: another one where the row has moved or has another name
+    key_in_b: String,
     label: &'a str,
     a: Option<Value<'a>>,
     b: Option<Value<'a>>,
@@ -117,6 +122,7 @@ impl<'a> Output<'a> {
             let [a, b] = difference.numbers();
             DifferenceOutput {
                 key: difference.path.to_string(),
+                key_in_b: difference.path_in_b.to_string(),
                 label: &difference.label,
                 a: Value::new(a_text, a),
                 b: Value::new(b_text, b),
@@ -135,20 +141,24 @@ const VALUE: usize = 14;
 
 fn write_tables(
     out: &mut impl Write,
-    a: &Side,
-    b: &Side,
+    (a, b): (&Side, &Side),
     differences: &[Difference],
     fe_rms_db: Option<f64>,
+    width: usize,
 ) -> io::Result<()> {
     for (name, side) in [("A", a), ("B", b)] {
         let design = printable(&side.loaded.design.name);
-        writeln!(out, "{name}  {}", cut(&format!("{}: {design}", printable(&side.stem())), 77, ".."))?;
+        writeln!(
+            out,
+            "{name}  {}",
+            cut(&format!("{}: {design}", printable(&side.stem())), width.saturating_sub(3), "..")
+        )?;
     }
     writeln!(out)?;
     if differences.is_empty() {
         writeln!(out, "no value differs")?;
     } else {
-        write_differences(out, differences)?;
+        write_differences(out, differences, width)?;
     }
     writeln!(out)?;
     let mut table = Table::new(["", "enhanced\nlimit Hz", "RMS\ndB", "FRAC", "basic\nlimit Hz", "RMS\ndB", "FRAC"]);
@@ -168,20 +178,27 @@ fn write_tables(
     }
 }
 
-/// A line a value; where its key path leaves no room for the values, they stand below it.
-fn write_differences(out: &mut impl Write, differences: &[Difference]) -> io::Result<()> {
-    let value = |value: &Option<String>| cut(&value.as_deref().map_or("-".into(), printable), VALUE, "..");
+/// A line a value; where its key path leaves no room for the values, they stand below it. Nothing is cut where there is no
+/// end to the lines, and a long text never widens the columns of the others.
+fn write_differences(out: &mut impl Write, differences: &[Difference], width: usize) -> io::Result<()> {
+    let most = if width == usize::MAX { usize::MAX } else { VALUE };
     let rows = differences.iter().map(|difference| {
         let key = printable(&difference.path.to_string()).into_owned();
-        [key, value(&difference.a), value(&difference.b), difference.unit.to_owned()]
+        let values = difference.shown().map(printable);
+        let [a, b] = cut_apart([&values[0], &values[1]], most, "..");
+        [key, a, b, difference.unit.to_owned()]
     });
     let rows: Vec<[String; 4]> = [["key", "A", "B", "unit"].map(str::to_owned)].into_iter().chain(rows).collect();
-    let widest = |place: usize| rows.iter().map(|row| row[place].width()).max().unwrap_or(0);
+    let widest = |place: usize| {
+        let widths = rows.iter().map(|row| row[place].width());
+        widths.filter(|width| *width <= VALUE).max().unwrap_or(0)
+    };
     let (a, b, unit) = (widest(1), widest(2), widest(3));
-    let room = widest(0).min(WIDTH.saturating_sub(a + b + unit + 6));
+    let longest_key = rows.iter().map(|row| row[0].width()).max().unwrap_or(0);
+    let room = longest_key.min(WIDTH.saturating_sub(a + b + unit + 6));
     let pad = |text: &str, width: usize| " ".repeat(width.saturating_sub(text.width()));
     for [key, of_a, of_b, unit] in &rows {
-        let key = cut(key, WIDTH, "..");
+        let key = cut(key, width, "..");
         if key.width() > room {
             write!(out, "{key}\n{}", " ".repeat(room))?;
         } else {

@@ -35,8 +35,12 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<(), CommandError> {
+    let mut notice = None;
     let paths = if args.paths.is_empty() {
-        vec![library::default_folder().map_err(|error| CommandError::Usage(error.to_string()))?]
+        let folder = library::default_folder().map_err(|error| CommandError::Usage(error.to_string()))?;
+        let shown = printable(&folder.path.display().to_string()).into_owned();
+        notice = folder.is_new.then(|| format!("new: {shown}, with the shipped designs"));
+        vec![folder.path]
     } else {
         args.paths.clone()
     };
@@ -50,15 +54,15 @@ pub fn run(args: &Args) -> Result<(), CommandError> {
         log::write(format_args!("start of bevelscope {}, {}", env!("CARGO_PKG_VERSION"), super::doctor::platform()));
         facts::as_text(&terminal).lines().for_each(log::write);
     }
-    let ended = explore(args, paths);
+    let ended = explore(args, paths, notice);
     log::write(ended.as_ref().map_or_else(|error| format!("end: {error}"), |()| "end".into()));
     ended
 }
 
-fn explore(args: &Args, paths: Vec<PathBuf>) -> Result<(), CommandError> {
+fn explore(args: &Args, paths: Vec<PathBuf>, notice: Option<String>) -> Result<(), CommandError> {
     let shown_as: Vec<String> = paths.iter().map(|path| path.display().to_string()).collect();
     let (keys, keys_report) = args.keys.for_explorer()?;
-    let options = tui::Options { ascii: args.ascii, keys, keys_report };
+    let options = tui::Options { ascii: args.ascii, keys, keys_report, notice };
     let files = library::files(&paths);
     Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths), guard: Guard::new() }))?)
 }
@@ -68,6 +72,10 @@ fn no_such(path: &Path) -> String {
     const ALIKE: f64 = 0.6;
     let shown = path.display().to_string();
     let cli = super::Cli::command();
+    // what follows an option is a file to clap
+    if cli.get_subcommands().any(|command| command.get_name() == shown) {
+        return format!("`{shown}` is a command: it comes first, its options after it (bevelscope {shown} ...)");
+    }
     let alike = |command: &&str| strsim::normalized_damerau_levenshtein(&shown, command) >= ALIKE;
     let hint = cli.get_subcommands().map(clap::Command::get_name).find(alike);
     let hint = hint.map(|command| format!("; did you mean the command `{command}`?")).unwrap_or_default();
@@ -149,7 +157,7 @@ impl Backend for Files {
     fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
         match design::load(path) {
             Ok(loaded) => {
-                let warnings = loaded.render_warnings().lines().map(str::to_owned).collect();
+                let warnings = loaded.sentences();
                 Ok(LoadedDesign { warnings, design: loaded.design })
             }
             Err(error) => Err(BrokenDesign { one_line: error.reason(), full_text: error.to_string() }),
@@ -209,6 +217,13 @@ impl Backend for Files {
         let parent = original.file_stem().map(|stem| stem.to_string_lossy());
         let about = library::About { design_name: None, parent: parent.as_deref(), note };
         library::save_variant(folder, name, text, about).map_err(|error| error.to_string())
+    }
+
+    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
+        // a name without a folder is one in the current folder
+        let path = std::path::absolute(path).map_err(|error| error.to_string())?;
+        design::save_new(&path, text).map_err(|error| error.to_string())?;
+        Ok(path)
     }
 
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {

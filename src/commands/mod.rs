@@ -12,6 +12,7 @@ mod inspect;
 mod keys;
 mod mesh_stiffness;
 mod modes;
+mod report;
 mod solve;
 
 use std::io::{self, Write};
@@ -50,6 +51,8 @@ enum Command {
     Bands(bands::Args),
     /// What was built: stations, totals, stiffness at the mesh, bending modes, effective masses, bearings
     Inspect(inspect::Args),
+    /// A page to read, print and keep: spectra, bands with reasons, peaks, modes, side view, tables
+    Report(report::Args),
     /// Where two designs differ, and how the models of both agree
     Compare(compare::Args),
     /// Estimate a mean mesh stiffness from the effective face width (ISO 10300-1, method B)
@@ -129,6 +132,7 @@ impl Cli {
             Some(Command::Check(args)) => check::run(args, &mut out)?,
             Some(Command::Bands(args)) => bands::run(args, &mut out, &mut err)?,
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
+            Some(Command::Report(args)) => report::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
             Some(Command::MeshStiffness(args)) => mesh_stiffness::run(args, &mut out)?,
             Some(Command::ImportMesh(args)) => import_mesh::run(args, &mut out, &mut err)?,

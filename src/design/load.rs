@@ -3,7 +3,9 @@
 use std::io::{self, Read};
 use std::path::Path;
 
+use super::document::Tree;
 use super::finding::{Finding, is_error};
+use super::label;
 use super::model::Design;
 use super::read::read;
 use super::render::Source;
@@ -24,6 +26,16 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// The warnings, each a sentence with what it is about in words behind it.
+    pub fn sentences(&self) -> Vec<String> {
+        let tree = Tree::read(&self.text);
+        let sentence = |finding: &Finding| match finding.shown_path().as_str() {
+            "" => finding.message.clone(),
+            _ => format!("{} ({})", finding.message, label::of_value(&tree, &finding.key_path)),
+        };
+        self.warnings.iter().map(sentence).collect()
+    }
+
     /// The warnings as people read them; empty if there are none.
     pub fn render_warnings(&self) -> String {
         Source::new(&self.name, &self.text).render_all(&self.warnings)

@@ -8,6 +8,7 @@
 
 #[macro_use]
 mod declare;
+mod align;
 mod changes;
 mod check;
 mod diff;
@@ -36,7 +37,7 @@ mod text_file;
 mod totals;
 
 pub use changes::{Changes, LineChange};
-pub use diff::{Difference, diff};
+pub use diff::{Difference, changed_cells, diff};
 pub use document::{Document, EditError};
 pub use edit::{Applied, Edit, EditName, Editor, Spelled, Towards};
 pub use finding::{Finding, Severity};

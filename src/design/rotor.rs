@@ -39,7 +39,7 @@ tables! {
         pub inner_diameter: f64 = "inner_diameter_mm", Kind::Number(Quantity::Length, Limit::NotNegative), ZERO;
         /// Name of the material.
         pub material: String = "material", Kind::Name, Presence::Default(Written::Text(super::model::STEEL));
-        /// How many beam elements of equal length it is split in.
+        /// Beam elements of equal length it is split in; a shaft has 400 stations at most.
         pub elements: usize = "elements", Kind::Whole(1, u64::MAX), Presence::Default(Written::Whole(1));
     }
 

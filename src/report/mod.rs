@@ -1,9 +1,14 @@
-//! Results as text: tables to read, CSV and JSON to compute with.
+//! Results as text: tables to read, CSV and JSON to compute with, pictures and pages to keep.
 
 pub mod csv;
 mod figures;
+pub mod html;
 pub mod json;
+pub mod markup;
+mod study;
+pub mod svg;
 mod text;
 
 pub use figures::{Figures, Peak};
+pub use study::{Curves, Levels, Study};
 pub use text::Table;

@@ -5,9 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector};
 
 use super::secular::{self, Eigenvalue};
-use super::{ResponseError, rotor_modes};
-use crate::design::Side;
-use crate::model::{Model, RotorModel};
+use super::{ResponseError, both_rotor_modes};
+use crate::model::{Model, RotorModel, RotorModes};
 use crate::rotor::Motion;
 
 /// Shares of a mode's kinetic energy in the motions of one rotor.
@@ -51,9 +50,18 @@ impl Modes {
     ///
     /// # Errors
     ///
-    /// As [`rotor_modes`], or a mode whose frequency or shape overflows.
+    /// As [`both_rotor_modes`], or a mode whose frequency or shape overflows.
     pub fn new(model: &Model, most: usize) -> Result<Self, ResponseError> {
-        let mut uncoupled = Uncoupled::new(model)?;
+        Self::with_rotor_modes(model, &both_rotor_modes(model)?, most)
+    }
+
+    /// As [`Modes::new`], from modes of both rotors without the mesh that are known.
+    ///
+    /// # Errors
+    ///
+    /// A mode whose frequency or shape overflows.
+    pub fn with_rotor_modes(model: &Model, rotors: &[RotorModes; 2], most: usize) -> Result<Self, ResponseError> {
+        let mut uncoupled = Uncoupled::new(model, rotors);
         uncoupled.join_equal();
         uncoupled.drop_uncoupled(model.mesh_stiffness);
         let Uncoupled { lambda, g, shapes } = &uncoupled;
@@ -129,12 +137,11 @@ struct Uncoupled {
 }
 
 impl Uncoupled {
-    fn new(model: &Model) -> Result<Self, ResponseError> {
+    fn new(model: &Model, rotors: &[RotorModes; 2]) -> Self {
         let n = model.coordinates();
         let mut columns: Vec<(f64, f64, DVector<f64>)> = Vec::with_capacity(n);
         let mut at = 0;
-        for (side, rotor) in Side::BOTH.into_iter().zip(model.rotors()) {
-            let modes = rotor_modes(rotor, side)?;
+        for (modes, rotor) in rotors.iter().zip(model.rotors()) {
             let g = modes.participation(&rotor.mesh_vector);
             for (r, (&kappa, &theta)) in modes.stiffness.iter().zip(&modes.mass).enumerate() {
                 // no mass, no frequency
@@ -153,11 +160,11 @@ impl Uncoupled {
         for (target, column) in columns.iter().enumerate() {
             shapes.set_column(target, &column.2);
         }
-        Ok(Self {
+        Self {
             lambda: columns.iter().map(|column| column.0).collect(),
             g: columns.iter().map(|column| column.1).collect(),
             shapes,
-        })
+        }
     }
 
     /// Of modes with one frequency (both planes of an isotropic shaft, both free rotations) any mixture is a mode: all of the mesh's grip goes to

@@ -9,13 +9,14 @@ pub enum Category {
     Designs,
     Edit,
     Solve,
+    Spectra,
     Typing,
     Program,
 }
 
 impl Category {
-    pub const ALL: [Self; 7] =
-        [Self::Move, Self::Find, Self::Designs, Self::Edit, Self::Solve, Self::Typing, Self::Program];
+    pub const ALL: [Self; 8] =
+        [Self::Move, Self::Find, Self::Designs, Self::Edit, Self::Solve, Self::Spectra, Self::Typing, Self::Program];
 
     pub fn title(self) -> &'static str {
         match self {
@@ -24,6 +25,7 @@ impl Category {
             Self::Designs => "Designs",
             Self::Edit => "Editing",
             Self::Solve => "Solving",
+            Self::Spectra => "Spectra",
             Self::Typing => "While something is typed",
             Self::Program => "Program",
         }
@@ -100,6 +102,16 @@ actions! {
     ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
     Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
     Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
+    Modes, "modes", Designs, "natural modes of the three models, their shapes and partners", hint 5 "modes";
+    NextPhase, "next-phase", Move, "the shape an eighth of a period later", hint 3 "phase";
+    OtherModel, "other-model", Move, "the enhanced or the basic model beside finite elements", hint 4 "enhanced/basic";
+    ShowMac, "mac", Find, "the MAC of all modes as a picture, or the table", hint 3 "MAC";
+    Deflection, "deflection", Find, "the operating deflection shape in place of the mode, or back", hint 3 "deflection";
+    TypeFrequency, "type-frequency", Find, "the operating deflection shape at a frequency that is typed", hint 4 "frequency";
+    Overview, "overview", Designs, "a table of all designs with their figures", hint 6 "overview";
+    ShowDesign, "show-design", Designs, "to the design under the cursor", hint 1 "go there";
+    SortColumn, "sort-column", Find, "order the designs by the next column", hint 2 "sort";
+    SortDirection, "sort-direction", Find, "the other way round", hint 4 "reverse";
     Swap, "swap", Designs, "swap A and B of the comparison", hint 3 "swap";
     Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
     Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";
@@ -162,6 +174,36 @@ actions! {
     Palette, "palette", Program, "all actions by name", hint 5 "commands";
     Messages, "messages", Program, "all messages in full, the latest first";
     Help, "help", Program, "this help", hint 5 "help";
+    OpenSpectra, "spectra", Solve, "the spectra over the whole window: cursor, zoom, bands of disagreement and why", hint 8 "wide";
+    JumpLeft, "jump-left", Spectra, "the cursor ten columns to the left";
+    JumpRight, "jump-right", Spectra, "the cursor ten columns to the right";
+    ZoomIn, "zoom-in", Spectra, "half the frequencies, around the cursor", hint 2 "zoom";
+    ZoomOut, "zoom-out", Spectra, "twice the frequencies, around the cursor", hint 2 "zoom";
+    ZoomFit, "zoom-fit", Spectra, "all frequencies", hint 6 "fit";
+    PanLeft, "pan-left", Spectra, "a quarter of the window to the left";
+    PanRight, "pan-right", Spectra, "a quarter of the window to the right";
+    NextQuantity, "next-quantity", Spectra, "mesh force, transmission error, the force of each bearing", hint 3 "quantity";
+    PreviousQuantity, "previous-quantity", Spectra, "the quantity before";
+    NextDirection, "next-direction", Spectra, "resultant, x, y, z or radial force of the bearing", hint 6 "direction";
+    ShowFe, "show-fe", Spectra, "the finite element model's curve, or not";
+    ShowEnhanced, "show-enhanced", Spectra, "the enhanced model's curve, or not";
+    ShowBasic, "show-basic", Spectra, "the basic model's curve, or not";
+    ShowReduced, "show-reduced", Spectra, "the reduced model's curve, or not";
+    MoreModes, "more-modes", Spectra, "a mode more in each rotor of the reduced model";
+    FewerModes, "fewer-modes", Spectra, "a mode less in each rotor of the reduced model";
+    NextAgainst, "next-against", Spectra, "the model held against finite elements: enhanced, basic, reduced";
+    LogFrequency, "log-frequency", Spectra, "frequencies logarithmic or linear";
+    LinearLevel, "linear-level", Spectra, "values in dB or in their unit";
+    NextPanel, "next-panel", Spectra, "below: difference, phase, the other quantity of the mesh, sixth-octave levels", hint 4 "panel";
+    LessTolerance, "less-tolerance", Spectra, "a tolerance 1 dB smaller";
+    MoreTolerance, "more-tolerance", Spectra, "a tolerance 1 dB larger";
+    NextBand, "next-band", Spectra, "the next band beyond the tolerance; after the last the first", hint 1 "band";
+    PreviousBand, "previous-band", Spectra, "the band before", hint 1 "band";
+    NextPeak, "next-peak", Spectra, "the next peak; after the last the first", hint 3 "peak";
+    PreviousPeak, "previous-peak", Spectra, "the peak before", hint 3 "peak";
+    ListPeaks, "list-peaks", Spectra, "list the bands, the peaks and their pairs, or nothing", hint 7 "list";
+    Why, "why", Spectra, "why the models disagree in the band at the cursor", hint 0 "why";
+    ExportShown, "export-shown", Spectra, "write what is shown to a CSV file", hint 6 "write";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

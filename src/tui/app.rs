@@ -15,9 +15,12 @@ use super::keymap::Mode;
 use super::keys::Keys;
 use super::library::{Library, RowState};
 use super::message::Effect;
+use super::modes::ModesView;
 use super::notice::{Messages, Notice};
+use super::overview::Overview;
 use super::palette::Palette;
 use super::recovery::Recovery;
+use super::spectra::SpectraView;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
 use super::worker::{FileJob, Job, Summary, Ticket};
@@ -47,6 +50,9 @@ pub struct App {
     /// Deleted since the start, the latest last.
     pub(super) deleted: Vec<Trashed>,
     pub compare: Option<CompareView>,
+    pub spectra: Option<SpectraView>,
+    pub modes: Option<Box<ModesView>>,
+    pub overview: Overview,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -170,6 +176,9 @@ impl App {
             to_delete: None,
             deleted: Vec::new(),
             compare: None,
+            spectra: None,
+            modes: None,
+            overview: Overview::default(),
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

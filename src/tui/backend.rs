@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::files::{FileDone, FileRequest};
+use super::modes::Study;
 use super::recovery::{Kept, Look};
+use super::spectra::{ModelCurves, Subject};
 use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
-use crate::model::Rotors;
+use crate::model::{ModelKind, Rotors};
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
 pub trait Backend: Send + Sync {
@@ -39,6 +41,39 @@ pub trait Backend: Send + Sync {
     ) -> Result<Comparison, SolveError> {
         let _ = rotors;
         self.compare(design, observer)
+    }
+
+    /// Solves one model of a design on the lines of its analysis, with all that further curves are made from.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] says why there is no solution.
+    fn spectrum(
+        &self,
+        subject: &Subject,
+        kind: ModelKind,
+        observer: &mut Observer<'_>,
+    ) -> Result<ModelCurves, SolveError> {
+        ModelCurves::new(subject, kind, observer)
+    }
+
+    /// Writes a text to a new file, and says where that is.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line. A file that is there is never overwritten.
+    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
+        let _ = (path, text);
+        Err(READ_ONLY.into())
+    }
+
+    /// The modes of the three models of a design; given up as soon as `wanted` says no.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] says why there are none.
+    fn modes(&self, design: &Design, wanted: &dyn Fn() -> bool) -> Result<Study, SolveError> {
+        Study::new(design, wanted)
     }
 
     /// The text of a design file, also of one that is [broken](BrokenDesign).

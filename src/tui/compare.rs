@@ -207,7 +207,7 @@ impl App {
         };
         result.sides.swap(0, 1);
         for difference in result.differences.iter_mut().flatten() {
-            std::mem::swap(&mut difference.a, &mut difference.b);
+            difference.swap();
         }
         view.columns = None;
         Vec::new()

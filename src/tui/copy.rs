@@ -27,7 +27,7 @@ impl App {
             Ok(bytes) => {
                 let lines = text.lines().count();
                 let lines = if lines > 1 { format!("{lines} lines, ") } else { String::new() };
-                self.say_in_sight(format!("sent to terminal: {lines}{}", excerpt(&text, SHOWN)));
+                self.say_in_sight(format!("sent to terminal: {lines}{}", excerpt(&text.replace('\t', " "), SHOWN)));
                 vec![Effect::Copy(bytes)]
             }
             Err(error) => {
@@ -50,6 +50,10 @@ impl App {
             Mode::Help => Some(self.help_text()),
             Mode::Messages => Some(self.messages.text()),
             Mode::Compare => self.compare.as_ref().and_then(differences),
+            Mode::Spectra => self.spectra.as_ref()?.readout_text(),
+            Mode::Why => self.spectra.as_ref().map(|view| view.why().join("\n")),
+            Mode::Modes => self.modes.as_ref().and_then(|view| view.as_text()),
+            Mode::Overview => Some(self.overview_text()),
             Mode::Table | Mode::Matrix | Mode::Choice | Mode::Findings => self.editors.open().and_then(in_tables),
             _ => match &self.detail.outcome {
                 Some(Outcome::Solved { summary, .. }) => {
@@ -76,8 +80,8 @@ fn differences(view: &CompareView) -> Option<String> {
     let [a, b] = &view.names;
     let head = ["value", a, b, "unit"].map(field).join("\t");
     let lines = differences.iter().map(|difference| {
-        let value = |value: &Option<String>| value.as_deref().unwrap_or("-").to_owned();
-        [&difference.label, &value(&difference.a), &value(&difference.b), difference.unit].map(field).join("\t")
+        let [a, b] = difference.shown();
+        [&difference.label, a, b, difference.unit].map(field).join("\t")
     });
     Some(std::iter::once(head).chain(lines).collect::<Vec<_>>().join("\n"))
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::backend::{Backend, NotSaved};
 use super::message::Message;
+use super::spectra::Export;
 use super::worker::guarded;
 use crate::design::library::VariantName;
 
@@ -30,6 +31,8 @@ pub enum FileJob {
     },
     /// What earlier runs have left.
     Left,
+    /// To be written to a new file.
+    Export(Box<Export>),
     SaveVariant {
         original: PathBuf,
         name: VariantName,
@@ -50,6 +53,9 @@ pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Option<Message> {
             let _ = guarded(|| backend.release(&path));
             return None;
         }
+        FileJob::Export(export) => Message::Exported(
+            guarded(|| backend.export(&export.path, &export.text())).unwrap_or_else(|panic| Err(failed(panic))),
+        ),
         FileJob::Left => Message::Left(guarded(|| backend.left()).unwrap_or_default()),
         FileJob::Open { path } => {
             let result = guarded(|| backend.read(&path)).unwrap_or_else(|panic| Err(failed(panic)));

@@ -76,6 +76,8 @@ pub struct Form {
     pub refused: Option<String>,
     /// It is being done.
     pub pending: bool,
+    /// Something was typed or asked for: from then on it is said what is wrong.
+    pub is_touched: bool,
 }
 
 /// Why a design cannot have the name.
@@ -105,7 +107,8 @@ impl App {
             Purpose::Duplicate => self.free_name(&row.path, &stem),
         };
         let path = row.path.clone();
-        self.form = Some(Form { purpose, path, field: TextField::new(name), refused: None, pending: false });
+        self.form =
+            Some(Form { purpose, path, field: TextField::new(name), refused: None, pending: false, is_touched: false });
         self.open(Mode::Name);
     }
 
@@ -118,6 +121,7 @@ impl App {
 
     pub(super) fn accept_form(&mut self) -> Vec<Effect> {
         let Some(form) = self.form.as_mut().filter(|form| !form.pending) else { return Vec::new() };
+        form.is_touched = true;
         // what is wrong stands beside the name already
         let Ok(request) = form.checked(&self.library) else { return Vec::new() };
         // a variant that is being written could not follow
@@ -131,7 +135,9 @@ impl App {
 
     pub(super) fn edit_form(&mut self, edit: impl FnOnce(&mut TextField)) {
         if let Some(form) = self.form.as_mut().filter(|form| !form.pending) {
+            let before = form.field.text().to_owned();
             edit(&mut form.field);
+            form.is_touched |= form.field.text() != before;
             form.refused = None;
         }
     }

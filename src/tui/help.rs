@@ -50,6 +50,10 @@ const EXPLORER: &[Mode] = &[
     Mode::Library,
     Mode::Text,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Confirm,
     Mode::Leave,
     Mode::Recovery,
@@ -58,10 +62,13 @@ const EXPLORER: &[Mode] = &[
     Mode::Help,
 ];
 const EDITOR: &[Mode] = &[
+    Mode::Modes,
     Mode::Table,
     Mode::Matrix,
     Mode::Choice,
     Mode::Findings,
+    Mode::Spectra,
+    Mode::Why,
     Mode::Leave,
     Mode::Recovery,
     Mode::Conflict,
@@ -69,8 +76,10 @@ const EDITOR: &[Mode] = &[
     Mode::Help,
 ];
 /// Where letters are text.
-const TYPED_IN_EXPLORER: &[Mode] = &[Mode::Filter, Mode::Palette, Mode::Name, Mode::HelpSearch];
-const TYPED_IN_EDITOR: &[Mode] = &[Mode::Cell, Mode::Form, Mode::Palette, Mode::HelpSearch];
+const TYPED_IN_EXPLORER: &[Mode] =
+    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::HelpSearch];
+const TYPED_IN_EDITOR: &[Mode] =
+    &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::HelpSearch];
 
 impl App {
     pub(super) fn open_help(&mut self) {
@@ -171,8 +180,9 @@ fn marks(theme: &Theme) -> Vec<HelpLine> {
         entry("E L", "the drives: engine and load"),
         entry(glyphs.broken, "a design that cannot be read or solved"),
         entry("!", "a design with warnings; a cell with a warning"),
-        entry("*", "edits that are not saved"),
+        entry("*", "edits that are not saved; beside a value: changed since it was saved"),
         entry("(0.0)", "not written in the file: the default that holds"),
+        entry("{0.0}", "in a stiffness matrix: changes with the entry under the cursor"),
         entry("[36.0]", "the cell under the cursor"),
         entry(&glyphs.pointer.to_string(), "in the side view: what the cursor is on"),
         entry(&glyphs.ghost.to_string(), "mesh force of the saved state, finite element model"),

@@ -26,6 +26,18 @@ pub enum Mode {
     Messages,
     /// Two designs beside one another.
     Compare,
+    /// The spectra over the whole window.
+    Spectra,
+    /// Why models disagree in a band.
+    Why,
+    /// The name of a file to write to is being typed.
+    Export,
+    /// The natural modes of a design.
+    Modes,
+    /// The frequency of a deflection shape is being typed.
+    Frequency,
+    /// All designs with their figures.
+    Overview,
     /// The tables of a design.
     Table,
     /// A cell is being typed into.
@@ -47,7 +59,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 25] = [
         Self::Library,
         Self::Text,
         Self::Filter,
@@ -58,6 +70,12 @@ impl Mode {
         Self::Confirm,
         Self::Messages,
         Self::Compare,
+        Self::Spectra,
+        Self::Why,
+        Self::Export,
+        Self::Modes,
+        Self::Frequency,
+        Self::Overview,
         Self::Table,
         Self::Cell,
         Self::Choice,
@@ -82,6 +100,12 @@ impl Mode {
             Self::Confirm => "confirm",
             Self::Messages => "messages",
             Self::Compare => "compare",
+            Self::Spectra => "spectra",
+            Self::Why => "why",
+            Self::Export => "export",
+            Self::Modes => "modes",
+            Self::Frequency => "frequency",
+            Self::Overview => "overview",
             Self::Table => "table",
             Self::Cell => "cell",
             Self::Choice => "choice",
@@ -107,6 +131,12 @@ impl Mode {
             Self::Confirm => "When asked whether to delete",
             Self::Messages => "In the messages",
             Self::Compare => "In the comparison",
+            Self::Spectra => "Over the spectra",
+            Self::Why => "In the reasons for a band",
+            Self::Export => "While a file to write is named",
+            Self::Modes => "In the natural modes",
+            Self::Frequency => "While a frequency is typed",
+            Self::Overview => "In the overview of designs",
             Self::Table => "In the tables",
             Self::Cell => "While a cell is typed into",
             Self::Choice => "In a list of words",
@@ -140,6 +170,10 @@ const LISTS: &[Mode] = &[
     Mode::Help,
     Mode::Messages,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Recovery,
@@ -152,6 +186,10 @@ const ROWS: &[Mode] = &[
     Mode::Help,
     Mode::Messages,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -169,6 +207,10 @@ const MOVING: &[Mode] = &[
     Mode::Palette,
     Mode::Messages,
     Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -179,25 +221,46 @@ const MOVING: &[Mode] = &[
 const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 const LIBRARY: &[Mode] = &[Mode::Library];
 const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
+/// Where there are columns to move in.
+const COLUMNS: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Spectra];
+const SPECTRA: &[Mode] = &[Mode::Spectra];
 const TABLE: &[Mode] = &[Mode::Table];
 const CELL: &[Mode] = &[Mode::Cell];
 const FORM: &[Mode] = &[Mode::Form];
 const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
-const TYPING: &[Mode] = &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Cell, Mode::Form];
+const TYPING: &[Mode] =
+    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Cell, Mode::Form];
 /// Where a filter is typed, and what it filters.
 const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
+const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
 /// What lies over the explorer and is closed.
-const VIEWS: &[Mode] = &[Mode::Help, Mode::Messages, Mode::Compare];
-const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Confirm];
+const VIEWS: &[Mode] =
+    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview];
+/// Those that are whole screens.
+const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
+const MODES: &[Mode] = &[Mode::Modes];
+const OVERVIEW: &[Mode] = &[Mode::Overview];
 const CONFIRM: &[Mode] = &[Mode::Confirm];
-const COMMANDS: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Help, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Findings];
+const COMMANDS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Findings,
+];
 const HELP: &[Mode] = &[Mode::Help];
 const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
-const PICTURES: &[Mode] = &[Mode::Library, Mode::Text, Mode::Compare, Mode::Table, Mode::Matrix, Mode::Choice];
+const PICTURES: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Table, Mode::Matrix, Mode::Choice];
 const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 const RECOVERY: &[Mode] = &[Mode::Recovery];
 const CONFLICT: &[Mode] = &[Mode::Conflict];
@@ -234,10 +297,10 @@ pub const BINDINGS: &[Binding] = &[
     letter(ROWS, 'g', Action::First),
     key(LISTS, KeyCode::End, Action::Last),
     letter(ROWS, 'G', Action::Last),
-    key(CELLS, KeyCode::Left, Action::MoveLeft),
-    letter(CELLS, 'h', Action::MoveLeft),
-    key(CELLS, KeyCode::Right, Action::MoveRight),
-    letter(CELLS, 'l', Action::MoveRight),
+    key(COLUMNS, KeyCode::Left, Action::MoveLeft),
+    letter(COLUMNS, 'h', Action::MoveLeft),
+    key(COLUMNS, KeyCode::Right, Action::MoveRight),
+    letter(COLUMNS, 'l', Action::MoveRight),
     key(CELLS, KeyCode::Home, Action::FirstCell),
     key(CELLS, KeyCode::End, Action::LastCell),
     key(CELLS, KeyCode::Tab, Action::NextCell),
@@ -302,13 +365,27 @@ pub const BINDINGS: &[Binding] = &[
     key(PANES, KeyCode::BackTab, Action::NextPane),
     key(LIBRARY, KeyCode::Right, Action::NextPane),
     letter(LIBRARY, 'l', Action::NextPane),
-    letter(FILTERED, '/', Action::Filter),
+    letter(MATCHED, '/', Action::Filter),
     letter(FILTERED, 'n', Action::NextMatch),
     letter(FILTERED, 'N', Action::PreviousMatch),
     letter(LIBRARY, 't', Action::ToggleTree),
     letter(PANES, 'm', Action::Mark),
     letter(PANES, 'c', Action::Compare),
     letter(&[Mode::Compare], 'x', Action::Swap),
+    letter(OPENED, 'M', Action::Modes),
+    key(MODES, KeyCode::Left, Action::MoveLeft),
+    letter(MODES, 'h', Action::MoveLeft),
+    key(MODES, KeyCode::Right, Action::MoveRight),
+    letter(MODES, 'l', Action::MoveRight),
+    letter(MODES, ' ', Action::NextPhase),
+    key(MODES, KeyCode::Tab, Action::OtherModel),
+    letter(MODES, 'x', Action::ShowMac),
+    letter(MODES, 'o', Action::Deflection),
+    letter(MODES, 'f', Action::TypeFrequency),
+    letter(PANES, 'O', Action::Overview),
+    key(OVERVIEW, KeyCode::Enter, Action::ShowDesign),
+    letter(OVERVIEW, 's', Action::SortColumn),
+    letter(OVERVIEW, 'S', Action::SortDirection),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),
@@ -340,7 +417,41 @@ pub const BINDINGS: &[Binding] = &[
     letter(COMMANDS, ':', Action::Palette),
     letter(BROWSING, '!', Action::Messages),
     letter(BROWSING, '?', Action::Help),
-    letter(&[Mode::Compare], '?', Action::Help),
+    letter(SCREENS, '?', Action::Help),
+    letter(SPECTRA, '!', Action::Messages),
+    letter(OPENED, 'w', Action::OpenSpectra),
+    letter(SPECTRA, 'w', Action::Back),
+    letter(SPECTRA, 'H', Action::JumpLeft),
+    letter(SPECTRA, 'L', Action::JumpRight),
+    letter(SPECTRA, 'i', Action::ZoomIn),
+    letter(SPECTRA, 'o', Action::ZoomOut),
+    letter(SPECTRA, 'f', Action::ZoomFit),
+    letter(SPECTRA, '<', Action::PanLeft),
+    letter(SPECTRA, '>', Action::PanRight),
+    letter(SPECTRA, 'v', Action::NextQuantity),
+    letter(SPECTRA, 'V', Action::PreviousQuantity),
+    letter(SPECTRA, 'r', Action::NextDirection),
+    letter(SPECTRA, '1', Action::ShowFe),
+    letter(SPECTRA, '2', Action::ShowEnhanced),
+    letter(SPECTRA, '3', Action::ShowBasic),
+    letter(SPECTRA, '4', Action::ShowReduced),
+    letter(SPECTRA, '+', Action::MoreModes),
+    letter(SPECTRA, '-', Action::FewerModes),
+    letter(SPECTRA, 'm', Action::NextAgainst),
+    letter(SPECTRA, 'x', Action::LogFrequency),
+    letter(SPECTRA, 'd', Action::LinearLevel),
+    key(SPECTRA, KeyCode::Tab, Action::NextPanel),
+    letter(SPECTRA, '[', Action::LessTolerance),
+    letter(SPECTRA, ']', Action::MoreTolerance),
+    letter(SPECTRA, 'n', Action::NextBand),
+    letter(SPECTRA, 'N', Action::PreviousBand),
+    letter(SPECTRA, 'p', Action::NextPeak),
+    letter(SPECTRA, 'P', Action::PreviousPeak),
+    letter(SPECTRA, 'a', Action::ListPeaks),
+    key(SPECTRA, KeyCode::Enter, Action::Why),
+    letter(SPECTRA, 'W', Action::Why),
+    key(&[Mode::Why], KeyCode::Enter, Action::Back),
+    letter(SPECTRA, 'E', Action::ExportShown),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

@@ -31,13 +31,14 @@ impl App {
         self.follow_editor();
     }
 
-    /// What a key or the palette asks for: of the editor first, if it is in sight.
+    /// What a key or the palette asks for: of the screen first that is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
         crash::remember(self.mode.name(), action.name());
-        match self.act_in_editor(action) {
-            Some(effects) => effects,
-            None => self.act(action),
+        if let Some(effects) = self.act_in_spectra(action) {
+            return effects;
         }
+        let in_screen = self.act_in_editor(action).or_else(|| self.act_in_modes(action));
+        in_screen.or_else(|| self.act_in_overview(action)).unwrap_or_else(|| self.act(action))
     }
 
     /// Whether an action would do something now.
@@ -52,8 +53,18 @@ impl App {
             }
             Action::Filter | Action::MoveUp | Action::MoveDown if panes => !self.library.is_empty(),
             Action::Back => self.mode != Mode::Library || !self.library.filter().is_empty(),
-            Action::Mark | Action::Rename | Action::Duplicate | Action::Delete | Action::OpenEditor => {
-                selected.is_some()
+            Action::Mark
+            | Action::Rename
+            | Action::Duplicate
+            | Action::Delete
+            | Action::OpenEditor
+            | Action::OpenSpectra => selected.is_some(),
+            Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
+            Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
+            Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
+            Action::Modes if self.editors.open().is_none() => selected.is_some(),
+            Action::MoveLeft | Action::MoveRight if self.mode == Mode::Modes => {
+                self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
             Action::NextOffer => self.recovery.offers.all.len() > 1,

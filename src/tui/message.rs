@@ -8,7 +8,9 @@ use ratatui::crossterm::event::KeyEvent;
 use super::backend::{BrokenDesign, LoadedDesign, NotSaved};
 use super::compare::{CompareJob, Compared};
 use super::files::{FileDone, FileRequest};
+use super::modes::{Answer, ModesJob};
 use super::recovery::{Kept, Look};
+use super::spectra::{Part, SpectraJob};
 use super::worker::{EditedJob, FileJob, Job, Solved, Ticket};
 use crate::design::library::Left;
 
@@ -81,6 +83,18 @@ pub enum Message {
         ticket: Ticket,
         result: Box<Compared>,
     },
+    /// A part of what the wide screen shows.
+    Spectra {
+        ticket: Ticket,
+        part: Box<Part>,
+    },
+    /// What was shown was written, or why not.
+    Exported(Result<PathBuf, String>),
+    /// Modes or a deflection shape were computed, or why not.
+    ModesFound {
+        ticket: Ticket,
+        result: Result<Answer, String>,
+    },
     /// The system asks the program to stop until it is continued.
     Suspend,
     /// The program was stopped, without being asked, and goes on.
@@ -114,6 +128,14 @@ pub enum Effect {
     Compare(CompareJob),
     /// The comparison is no longer wanted.
     CancelCompare,
+    /// Solve what the wide screen shows.
+    Spectra(Box<SpectraJob>),
+    /// It is no longer wanted.
+    CancelSpectra,
+    /// Compute modes or a deflection shape.
+    Modes(ModesJob),
+    /// They are no longer wanted.
+    CancelModes,
     /// Draw all of the screen, whatever the terminal shows.
     Redraw,
     /// Hand a text to the terminal: these bytes, as they are.

@@ -41,8 +41,10 @@ pub mod library;
 mod looks;
 pub mod marker;
 pub mod message;
+pub mod modes;
 pub mod notice;
 pub mod overlays;
+pub mod overview;
 pub mod painter;
 pub mod palette;
 mod pen;
@@ -50,6 +52,7 @@ mod record;
 pub mod recovery;
 pub mod screens;
 mod signals;
+pub mod spectra;
 pub mod terminal;
 pub mod text;
 pub mod text_field;
@@ -78,6 +81,8 @@ pub struct Options {
     pub keys: Keys,
     /// What is wrong with the user's keys, a few words and in full.
     pub keys_report: Option<(String, String)>,
+    /// What is to be known at the start.
+    pub notice: Option<String>,
 }
 
 /// Why the explorer did not end by the user's wish.
@@ -128,6 +133,9 @@ pub fn run(
     let mut app = App::new(library, shown_as, capabilities);
     app.clipboard = Route::detect(|name| std::env::var(name).ok());
     app.keys = options.keys;
+    if let Some(notice) = options.notice {
+        app.say(notice);
+    }
     if let Some((short, full)) = options.keys_report {
         app.complain_at_length(short, full);
     }

@@ -18,6 +18,7 @@ fn line(message: &Message) -> Option<String> {
         | Message::Paste(_)
         | Message::Progress { .. }
         | Message::Looked { .. }
+        | Message::Spectra { .. }
         | Message::Listed(Ok(_)) => return None,
         Message::Resized => "the terminal has another size".into(),
         Message::Loaded { path, result, .. } => match result {
@@ -62,6 +63,10 @@ fn line(message: &Message) -> Option<String> {
             Ok(differences) => format!("compared two designs: {} differences", differences.len()),
             Err(error) => format!("cannot compare two designs: {error}"),
         },
+        Message::Exported(Ok(path)) => format!("wrote {}", path.display()),
+        Message::Exported(Err(error)) => format!("cannot write: {error}"),
+        Message::ModesFound { result: Ok(_), .. } => "computed modes or a deflection shape".into(),
+        Message::ModesFound { result: Err(error), .. } => format!("cannot compute modes: {error}"),
         Message::Suspend => "asked to suspend".into(),
         Message::Continued => "continued".into(),
         Message::Signal(number) => format!("signal {number}"),

@@ -99,6 +99,18 @@ impl App {
                 self.compared(ticket, *result);
                 Vec::new()
             }
+            Message::Spectra { ticket, part } => {
+                self.spectra_came(ticket, &part);
+                Vec::new()
+            }
+            Message::Exported(result) => {
+                self.exported(result);
+                Vec::new()
+            }
+            Message::ModesFound { ticket, result } => {
+                self.modes_found(ticket, result);
+                Vec::new()
+            }
             Message::Suspend => vec![Effect::Suspend],
             Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],
@@ -184,6 +196,8 @@ impl App {
             Mode::HelpSearch => self.edit_help_search(edit),
             Mode::Palette => self.edit_palette(edit),
             Mode::Name => self.edit_form(edit),
+            Mode::Export => self.edit_export(edit),
+            Mode::Frequency => self.edit_frequency(edit),
             _ => {}
         }
         Vec::new()
@@ -194,10 +208,18 @@ impl App {
         if self.is_unseen {
             return Vec::new();
         }
-        self.type_text(text)
+        let effects = self.type_text(text);
+        if self.mode.is_typing() && text.trim_end().contains(['\n', '\r']) {
+            let said = "only the first line was taken";
+            match self.editors.open_mut().filter(|_| self.below.is_empty()) {
+                Some(editing) => editing.say(said),
+                None => self.say(said),
+            }
+        }
+        effects
     }
 
-    fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
+    pub(super) fn edit_filter(&mut self, edit: impl FnOnce(&mut TextField)) -> Vec<Effect> {
         self.library.edit_filter(edit);
         self.follow_selection()
     }
@@ -257,6 +279,7 @@ impl App {
             Action::Accept => match self.mode {
                 Mode::Palette => self.run_chosen(),
                 Mode::Name => self.accept_form(),
+                Mode::Export => self.accept_export(),
                 Mode::Confirm => self.delete_confirmed(),
                 _ => Vec::new(),
             },
@@ -305,6 +328,9 @@ impl App {
 
     fn page(&self) -> isize {
         match self.mode {
+            Mode::Modes => self.modes.as_ref().map_or(1, |view| view.page()),
+            Mode::Overview => self.overview.page(),
+            Mode::Filter if self.below.contains(&Mode::Overview) => self.overview.page(),
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
             Mode::Help | Mode::HelpSearch => self.help_scroll.page(),
@@ -313,12 +339,16 @@ impl App {
             Mode::Recovery => self.recovery.offers.scroll.page(),
             Mode::Conflict => self.conflicts.scroll.page(),
             Mode::Compare => self.compare.as_ref().map_or(1, |view| view.scroll.page()),
+            Mode::Why => self.spectra.as_ref().map_or(1, |view| view.scroll.page()),
             _ => 0,
         }
     }
 
     fn move_by(&mut self, by: isize) -> Vec<Effect> {
         match self.mode {
+            Mode::Overview => self.move_in_overview(by),
+            Mode::Filter if self.below.contains(&Mode::Overview) => self.move_in_overview(by),
+            Mode::Modes => self.move_in_modes(by),
             Mode::Library | Mode::Filter => {
                 self.library.move_by(by);
                 return self.follow_selection();
@@ -331,6 +361,11 @@ impl App {
             Mode::Conflict => self.conflicts.scroll.by(by),
             Mode::Compare => {
                 if let Some(view) = &mut self.compare {
+                    view.scroll.by(by);
+                }
+            }
+            Mode::Why => {
+                if let Some(view) = &mut self.spectra {
                     view.scroll.by(by);
                 }
             }
@@ -364,7 +399,9 @@ impl App {
                 self.close();
                 return vec![Effect::CancelCompare];
             }
-            Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages => self.close(),
+            Mode::Spectra => return self.close_spectra(),
+            Mode::Export => self.close_export(),
+            Mode::Frequency | Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages | Mode::Why => self.close(),
             Mode::Recovery => {
                 self.close();
                 self.say("kept for later: :recover shows them again");

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use super::app::App;
 use super::keymap::Mode;
 use super::overlays;
-use super::screens::{body, compare, editor, explorer, fits, render_too_small};
+use super::screens::{body, compare, editor, explorer, fits, modes, overview, render_too_small, spectra};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
@@ -23,6 +23,12 @@ fn render(app: &mut App, frame: &mut Frame) {
     }
     let cursor = if app.layers().any(|mode| mode == Mode::Compare) {
         compare::render(app, frame)
+    } else if app.layers().any(|mode| mode == Mode::Spectra) {
+        spectra::render(app, frame)
+    } else if app.layers().any(|mode| mode == Mode::Modes) {
+        modes::render(app, frame)
+    } else if app.layers().any(|mode| mode == Mode::Overview) {
+        overview::render(app, frame)
     } else if app.editors.open().is_some() {
         editor::render(app, frame)
     } else {

@@ -19,9 +19,12 @@ use super::compare::CompareJob;
 pub use super::file_jobs::{FileJob, perform_file};
 use super::files::FileRequest;
 use super::message::Message;
+use super::modes::ModesJob;
+use super::overview::outline;
 use super::recovery::{Keeper, Kept};
+use super::spectra::{self, SpectraJob};
 use super::traces::Traces;
-use crate::agreement::Agreement;
+use crate::agreement::{Agreement, Peak, highest_peak};
 use crate::comparison::{Comparison, SolveError};
 use crate::crash;
 use crate::design::Design;
@@ -55,6 +58,10 @@ pub struct Summary {
     pub lumped_coordinates: usize,
     /// Time for solving the three models.
     pub elapsed: Duration,
+    /// Of the finite element model
+    pub fe_peak: Option<Peak>,
+    /// Levels of its spectrum in few columns, dB re 1 N
+    pub fe_outline: Vec<f64>,
     pub enhanced: Agreement,
     pub basic: Agreement,
     /// Of the enhanced model
@@ -141,6 +148,8 @@ fn solve(
             fe_coordinates: comparison.fe.coordinates,
             lumped_coordinates: comparison.enhanced.coordinates,
             elapsed,
+            fe_peak: highest_peak(&comparison.frequency_hz, &comparison.fe.mesh_force),
+            fe_outline: outline(&comparison.fe.mesh_force),
             enhanced: comparison.enhanced_agreement,
             basic: comparison.basic_agreement,
             caveats: comparison.caveats,
@@ -177,6 +186,10 @@ struct Shared {
     latest: AtomicU64,
     /// The same of the latest comparison.
     latest_compared: AtomicU64,
+    /// The same of the wide screen.
+    latest_spectra: AtomicU64,
+    /// The same of the latest modes.
+    latest_modes: AtomicU64,
 }
 
 #[derive(Debug, Default)]
@@ -186,6 +199,8 @@ struct Queues {
     list: bool,
     changes: VecDeque<FileRequest>,
     compare: Option<CompareJob>,
+    spectra: Option<SpectraJob>,
+    modes: Option<ModesJob>,
     files: VecDeque<FileJob>,
     closed: bool,
 }
@@ -200,6 +215,8 @@ enum Task {
     List,
     ChangeFile(FileRequest),
     Compare(Box<CompareJob>),
+    Spectra(Box<SpectraJob>),
+    Modes(ModesJob),
     File(FileJob),
 }
 
@@ -240,6 +257,10 @@ impl Worker {
         worker.spawn("compare", Arc::clone(&backend), sender, |queues| {
             queues.compare.take().map(|job| Task::Compare(Box::new(job)))
         })?;
+        worker.spawn("spectra", Arc::clone(&backend), sender, |queues| {
+            queues.spectra.take().map(|job| Task::Spectra(Box::new(job)))
+        })?;
+        worker.spawn("modes", Arc::clone(&backend), sender, |queues| queues.modes.take().map(Task::Modes))?;
         worker.spawn("library", Arc::clone(&backend), sender, |queues| {
             if std::mem::take(&mut queues.list) { Some(Task::List) } else { queues.rows.pop_front().map(Task::Fill) }
         })?;
@@ -269,6 +290,15 @@ impl Worker {
                         if let Some(result) = result.map(Box::new) {
                             report(Message::Compared { ticket: job.ticket, result });
                         }
+                    }
+                    Task::Spectra(job) => {
+                        let ticket = job.ticket.0;
+                        let wanted = || shared.latest_spectra.load(Ordering::Relaxed) == ticket;
+                        spectra::perform(*job, &*backend, &wanted, &mut report);
+                    }
+                    Task::Modes(job) => {
+                        let wanted = || shared.latest_modes.load(Ordering::Relaxed) == job.ticket.0;
+                        super::modes::perform(&job, &*backend, &wanted).into_iter().for_each(&mut report);
                     }
                     Task::Fill(job) => perform(&job, &*backend, &mut report),
                     Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
@@ -347,6 +377,42 @@ impl Worker {
         let mut queues = self.shared.lock();
         queues.compare = job;
         self.shared.latest_compared.store(ticket.0, Ordering::Relaxed);
+        drop(queues);
+        self.shared.changed.notify_all();
+    }
+
+    /// Asks for what the wide screen shows; what was waiting or being solved for it is given up.
+    pub fn spectra(&self, job: SpectraJob) {
+        self.set_spectra(job.ticket, Some(job));
+    }
+
+    /// Gives up what is waiting or being solved for the wide screen.
+    pub fn cancel_spectra(&self) {
+        self.set_spectra(Ticket::default(), None);
+    }
+
+    fn set_spectra(&self, ticket: Ticket, job: Option<SpectraJob>) {
+        let mut queues = self.shared.lock();
+        queues.spectra = job;
+        self.shared.latest_spectra.store(ticket.0, Ordering::Relaxed);
+        drop(queues);
+        self.shared.changed.notify_all();
+    }
+
+    /// Asks for modes or a deflection shape; what was waiting or being computed in their place is given up.
+    pub fn modes(&self, job: ModesJob) {
+        self.set_modes(job.ticket, Some(job));
+    }
+
+    /// Gives up the modes that are waiting or being computed.
+    pub fn cancel_modes(&self) {
+        self.set_modes(Ticket::default(), None);
+    }
+
+    fn set_modes(&self, ticket: Ticket, job: Option<ModesJob>) {
+        let mut queues = self.shared.lock();
+        queues.modes = job;
+        self.shared.latest_modes.store(ticket.0, Ordering::Relaxed);
         drop(queues);
         self.shared.changed.notify_all();
     }

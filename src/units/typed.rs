@@ -55,6 +55,7 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Typed, UnitError> {
     // the sign as word processors write it
     let text = text.trim().replace('\u{2212}', "-");
     let wanted = || UnitError::NoNumber { unit: quantity.unit(), example: quantity.example() };
+    let text = if quantity == Quantity::Length { inches(&text) } else { text };
     let (number, rest) = split(&text).ok_or_else(wanted)?;
     if let Some(decimals) = rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())) {
         return Err(UnitError::Comma { suggestion: excerpt(&with_point(number, decimals), 40) });
@@ -76,6 +77,29 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<Typed, UnitError> {
         Ok(value) if value.is_finite() => Ok(Typed { text, value }),
         _ => Err(UnitError::TooLarge { number: excerpt(number, 40) }),
     }
+}
+
+/// `1.4"` as `1.4 in`, `3/8 in` and `1 3/8 in` with a decimal number.
+fn inches(text: &str) -> String {
+    let text = text.strip_suffix('"').map_or_else(|| text.to_owned(), |number| format!("{number} in"));
+    decimal(&text).unwrap_or(text)
+}
+
+/// The text with its fraction worked out; nothing where it has none.
+fn decimal(text: &str) -> Option<String> {
+    let end = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let (sign, unsigned) = text.strip_prefix('-').map_or(("", text), |rest| ("-", rest));
+    let (first, rest) = unsigned.split_at(end(unsigned));
+    // a whole number before it
+    let (whole, above, rest) = match rest.trim_start() {
+        after if after.len() < rest.len() && end(after) > 0 => (first, &after[..end(after)], &after[end(after)..]),
+        _ => ("0", first, rest),
+    };
+    let below = rest.strip_prefix('/')?;
+    let (below, unit) = below.split_at(end(below));
+    let [whole, above, below]: [f64; 3] = [whole.parse().ok()?, above.parse().ok()?, below.parse().ok()?];
+    let value = whole + above / below;
+    value.is_finite().then(|| format!("{sign}{}{unit}", shortest(value)))
 }
 
 /// What was meant by a number with a comma in it: of comma and point, the last one is the decimal separator.
@@ -211,6 +235,13 @@ mod tests {
             ("35000 µm", Quantity::Length, "35.0"),
             ("3.5 cm", Quantity::Length, "35.0"),
             ("1 ft", Quantity::Length, "304.8"),
+            ("1.4\"", Quantity::Length, "35.56"),
+            ("1.4 \"", Quantity::Length, "35.56"),
+            ("3/8 in", Quantity::Length, "9.525"),
+            ("3/8\"", Quantity::Length, "9.525"),
+            ("1 3/8 in", Quantity::Length, "34.925"),
+            ("-1 1/2\"", Quantity::Length, "-38.1"),
+            ("1/2 mm", Quantity::Length, "0.5"),
             ("600 N/um", Quantity::Stiffness, "6e8"),
             ("600 N/μm", Quantity::Stiffness, "6e8"),
             ("600 kN/mm", Quantity::Stiffness, "6e8"),
@@ -264,6 +295,8 @@ mod tests {
             ("1,5 mm", Quantity::Length, "write 1.5 mm: the decimal separator is a point"),
             ("1.234,5", Quantity::Length, "write 1234.5: the decimal separator is a point"),
             ("1,234.5", Quantity::Length, "write 1234.5: the decimal separator is a point"),
+            ("3/0 in", Quantity::Length, "unknown unit `/0 in`; accepted: mm, m, cm, um, in, ft"),
+            ("/8 in", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
             ("1__0", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
             ("_1", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),
             ("1_", Quantity::Length, "a number is wanted in mm, e.g. 35, 0.035 m or 1.4 in"),

@@ -21,6 +21,8 @@ use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
+use bevelscope::tui::modes;
+use bevelscope::tui::spectra::{self, Part, SpectraJob};
 use bevelscope::tui::worker::{self, EditedJob, Job};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
 use num_complex::Complex64;
@@ -289,6 +291,7 @@ impl Screen {
             if let Effect::Keep(change) = &effect {
                 self.backend.keep(change).unwrap();
             }
+            let spectra = if let Effect::Spectra(job) = &effect { Some(job.clone()) } else { None };
             let file = if let Effect::File(job) = &effect { Some(job.clone()) } else { None };
             let message = if self.held { None } else { self.message(&effect) };
             self.effects.push(effect);
@@ -302,6 +305,9 @@ impl Screen {
                 }
                 if let Some(job) = &edited {
                     self.perform_edited(job);
+                }
+                if let Some(job) = spectra {
+                    self.perform_spectra(*job);
                 }
             }
             if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
@@ -319,6 +325,7 @@ impl Screen {
                 let result = Box::new(compare::perform(job, &*self.backend, &|| true)?);
                 Some(Message::Compared { ticket: job.ticket, result })
             }
+            Effect::Modes(job) => modes::perform(job, &*self.backend, &|| true),
             Effect::List => self.backend.list().map(Message::Listed),
             _ => None,
         }
@@ -348,6 +355,19 @@ impl Screen {
         }
     }
 
+    /// Solves what the wide screen shows and takes in all parts.
+    pub fn perform_spectra(&mut self, job: SpectraJob) {
+        let mut messages = Vec::new();
+        spectra::perform(job, &*self.backend, &|| true, &mut |message| messages.push(message));
+        for message in messages {
+            // how long it takes differs from run to run
+            if !matches!(&message, Message::Spectra { part, .. } if matches!(**part, Part::Progress(_))) {
+                let effects = self.app.update(message);
+                self.carry_out(effects);
+            }
+        }
+    }
+
     /// Presses keys: single letters, or names in angle brackets, e.g. `jj<Tab>/rigid<Enter>`.
     pub fn keys(&mut self, script: &str) -> &mut Self {
         let mut rest = script;
@@ -371,19 +391,21 @@ impl Screen {
 
     /// The lines of the screen.
     pub fn text(&self) -> String {
-        let width = usize::from(self.buffer().area.width).max(1);
-        let rows = self.buffer().content().chunks(width);
-        rows.map(|row| {
-            // what stands behind a wide character is not drawn
-            let mut hidden = 0;
-            let shown = row.iter().filter(|cell| {
-                let draw = hidden == 0;
-                hidden = if draw { cell.symbol().width().max(1) - 1 } else { hidden - 1 };
-                draw
-            });
-            shown.map(Cell::symbol).collect::<String>().trim_end().to_owned() + "\n"
-        })
-        .collect()
+        (0..self.buffer().area.height).map(|at| self.line(at) + "\n").collect()
+    }
+
+    /// One line of the screen, from above.
+    pub fn line(&self, at: u16) -> String {
+        let width = usize::from(self.buffer().area.width);
+        let row = &self.buffer().content()[usize::from(at) * width..][..width];
+        // what stands behind a wide character is not drawn
+        let mut hidden = 0;
+        let shown = row.iter().filter(|cell| {
+            let draw = hidden == 0;
+            hidden = if draw { cell.symbol().width().max(1) - 1 } else { hidden - 1 };
+            draw
+        });
+        shown.map(Cell::symbol).collect::<String>().trim_end().to_owned()
     }
 
     /// The lines of the screen with a letter for the style of each cell, and what the letters mean.

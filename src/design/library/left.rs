@@ -8,6 +8,7 @@ use std::time::{Duration, SystemTime};
 
 use super::journal::{Found, Journal, journals, set_aside, settled};
 use super::trash::shown;
+use crate::design::draft::clear_stale;
 use crate::text::printable;
 
 /// Unsaved edits of a design that nobody has open any more.
@@ -73,7 +74,8 @@ pub struct Left {
 }
 
 /// Looks through a folder of journals for the edits of designs of a library: its `files`, and those that were in its `folders`.
-/// Journals of processes that live are left alone, damaged ones are renamed, and one whose edits are in the file already is removed.
+/// Journals of processes that live are left alone, damaged ones are renamed, and what is of no use is removed: a journal whose edits are in
+/// the file already, and drafts whose writers have ended.
 pub fn left_edits(journal_folder: &Path, files: &[PathBuf], folders: &[PathBuf]) -> Left {
     let files: HashMap<PathBuf, &PathBuf> = files.iter().map(|file| (settled(file), file)).collect();
     let folders: HashMap<PathBuf, &PathBuf> =
@@ -82,6 +84,7 @@ pub fn left_edits(journal_folder: &Path, files: &[PathBuf], folders: &[PathBuf])
         let file = files.get(design).map(|file| (*file).clone());
         file.or_else(|| Some(folders.get(design.parent()?)?.join(design.file_name()?)))
     };
+    clear_stale(journal_folder);
     let mut left = Left::default();
     for Found { path: journal, journal: read, .. } in
         journals(journal_folder).into_iter().filter(|found| !found.is_alive)

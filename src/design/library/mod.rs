@@ -4,6 +4,7 @@ mod journal;
 mod left;
 mod lock;
 mod name;
+mod order;
 mod trash;
 mod tree;
 mod variant;
@@ -15,6 +16,7 @@ pub use journal::{
 pub use left::{Left, LeftEdits, OnDisk, left_edits};
 pub use lock::{Holder, Locks, holder};
 pub use name::{NameError, VariantName};
+pub use order::by_name;
 pub use trash::{TRASH, Trashed, delete, restore, trashed};
 pub use tree::{Branch, tree};
 pub use variant::{About, VariantError, duplicate, follow_parent, rename, save_variant};
@@ -53,7 +55,15 @@ pub enum LibraryError {
     Fill { folder: PathBuf, source: io::Error },
 }
 
-/// The design files of folders and of files named one by one, in the order given; those of a folder by file name. Folders
+/// The library where none is named.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DefaultFolder {
+    pub path: PathBuf,
+    /// It was made just now, with the shipped designs
+    pub is_new: bool,
+}
+
+/// The design files of folders and of files named one by one, in the order given; those of a folder [by name](by_name). Folders
 /// below are not searched, hidden files are left out; a file that is named twice is there once. A folder that cannot be read stands for itself.
 pub fn files(paths: &[PathBuf]) -> Vec<PathBuf> {
     let mut seen = HashSet::new();
@@ -65,7 +75,7 @@ fn folder_files(folder: &Path) -> Option<Vec<PathBuf>> {
     let entries = fs::read_dir(folder).ok()?;
     let mut files: Vec<PathBuf> =
         entries.flatten().map(|entry| entry.path()).filter(|path| is_design_file(path)).collect();
-    files.sort();
+    files.sort_by(|one, other| by_name(one, other));
     Some(files)
 }
 
@@ -82,7 +92,7 @@ fn is_design_file(path: &Path) -> bool {
 /// # Errors
 ///
 /// [`LibraryError`] where neither is there nor can be made.
-pub fn default_folder() -> Result<PathBuf, LibraryError> {
+pub fn default_folder() -> Result<DefaultFolder, LibraryError> {
     default_folder_in(Path::new(""), dirs::data_dir().as_deref())
 }
 
@@ -91,13 +101,13 @@ pub fn default_folder() -> Result<PathBuf, LibraryError> {
 /// # Errors
 ///
 /// As [`default_folder`].
-pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<PathBuf, LibraryError> {
+pub fn default_folder_in(current: &Path, data: Option<&Path>) -> Result<DefaultFolder, LibraryError> {
     let folder = default_place(current, data).ok_or(LibraryError::NoDataFolder)?;
     if folder.is_dir() {
-        return Ok(folder);
+        return Ok(DefaultFolder { path: folder, is_new: false });
     }
     match fill(&folder) {
-        Ok(()) => Ok(folder),
+        Ok(()) => Ok(DefaultFolder { path: folder, is_new: true }),
         Err(source) => Err(LibraryError::Fill { folder, source }),
     }
 }

@@ -291,6 +291,7 @@ impl Editing {
             self.saved_design = crate::design::read(&text).design.map(Arc::new);
         }
         self.editor.mark_saved(text);
+        self.show(self.tab, self.side);
         self.solving.ghost = None;
         self.keep_ghost();
     }

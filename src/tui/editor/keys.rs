@@ -191,8 +191,14 @@ pub(super) fn act_on_input(editing: &mut Editing, action: Action) {
         Action::AcceptPrevious => -1,
         _ => return act_on_line(editing, action),
     };
+    let left = editing.target().map(|cell| cell.path.clone());
     if !editing.accept() || is_new {
         return;
+    }
+    if let Some(finding) = editing.findings().iter().find(|finding| Some(&finding.key_path) == left.as_ref()) {
+        let (path, message) = (finding.key_path.clone(), finding.message.clone());
+        let label = editing.editor.labels(std::iter::once(&path)).concat();
+        editing.warn(format!("{label}: {message}"));
     }
     match (&mut editing.layer, by) {
         (Some(Layer::Matrix(entry)), 0) if in_matrix => entry.move_by(1, 0),

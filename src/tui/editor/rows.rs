@@ -16,7 +16,7 @@ impl Editing {
                 let edit = Edit::InsertRow { list: sheet.path.clone(), place };
                 if let Some(applied) = self.make(&edit) {
                     self.go_to(&applied.focus);
-                    self.say(format!("added: {}", applied.name));
+                    self.say(format!("done: {}", applied.name));
                 }
             }
             Shape::Named => self.input = Some(Input::new(Target::NewMaterial, "", true)),
@@ -25,7 +25,7 @@ impl Editing {
     }
 
     /// Does something to the row under the cursor.
-    fn edit_row(&mut self, said: &str, edit: impl FnOnce(KeyPath) -> Edit) {
+    fn edit_row(&mut self, edit: impl FnOnce(KeyPath) -> Edit) {
         let row = self.cursor().row;
         let is_list = matches!(self.view.shape, Shape::List { .. });
         let Some(path) = self.view.row(row).filter(|_| is_list).map(|row| row.path.clone()) else {
@@ -37,25 +37,25 @@ impl Editing {
             self.go_to(&applied.focus);
             self.cursor_mut().column = column;
             self.hold_cursor();
-            self.say(format!("{said}: {}", applied.name));
+            self.say(format!("done: {}", applied.name));
         }
     }
 
     pub fn duplicate_row(&mut self) {
-        self.edit_row("duplicated", |row| Edit::DuplicateRow { row });
+        self.edit_row(|row| Edit::DuplicateRow { row });
     }
 
     pub fn delete_row(&mut self) {
         if self.view.shape != Shape::Named {
-            return self.edit_row("deleted", |row| Edit::DeleteRow { row });
+            return self.edit_row(|row| Edit::DeleteRow { row });
         }
         let Some(name) = self.view.row(self.cursor().row).map(|row| row.label.clone()) else { return };
         if let Some(applied) = self.make(&Edit::RemoveMaterial { name }) {
-            self.say(format!("deleted: {}", applied.name));
+            self.say(format!("done: {}", applied.name));
         }
     }
 
     pub fn move_row(&mut self, towards: Towards) {
-        self.edit_row("moved", |row| Edit::MoveRow { row, towards });
+        self.edit_row(|row| Edit::MoveRow { row, towards });
     }
 }

@@ -3,7 +3,7 @@
 use super::Editing;
 use super::editing::Layer;
 use super::view::Place;
-use crate::design::grid::{Cell, CellKind, TypedError};
+use crate::design::grid::{Cell, CellKind, Sheet, TypedError};
 use crate::design::{Edit, EditError};
 use crate::text::printable;
 use crate::tui::text_field::TextField;
@@ -95,7 +95,7 @@ impl Editing {
                     _ => self.input = Some(Input::new(Target::Cell, cell.shown.text(), replace)),
                 }
             }
-            None => self.say(if self.view.rows.is_empty() { "no row: a adds one" } else { "nothing to edit here" }),
+            None => self.say(if self.view.rows.is_empty() { "no row yet" } else { "nothing to edit here" }),
         }
     }
 
@@ -128,8 +128,20 @@ impl Editing {
                 }
             }
             CellKind::Flags(_) => self.edit_cell(false),
+            _ if cell.column.key == "material" => {
+                let names = self.material_names();
+                let at = names.iter().position(|name| name == cell.shown.text()).map_or(0, |at| at + 1);
+                if let Some(name) = names.get(at % names.len().max(1)) {
+                    self.write(name);
+                }
+            }
             _ => self.say("this cell has no words to choose from: a value is typed into it"),
         }
+    }
+
+    /// The materials that a segment can name.
+    pub fn material_names(&self) -> Vec<String> {
+        self.editor.grid(&Sheet::materials()).rows.into_iter().map(|row| row.label).collect()
     }
 
     /// Takes what is chosen in the list.
@@ -140,7 +152,7 @@ impl Editing {
             self.write(&text);
         } else if self.cell().is_some_and(|cell| cell.required) {
             self.layer = Some(Layer::Choice(choice));
-            self.warn("at least one is wanted: Space ticks");
+            self.warn("at least one is wanted");
         } else {
             self.clear_cell();
         }

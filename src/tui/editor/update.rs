@@ -193,6 +193,7 @@ impl App {
                 return Some(self.drop_outdated());
             }
             Action::Help
+            | Action::Modes
             | Action::Palette
             | Action::Messages
             | Action::Quit
@@ -244,6 +245,7 @@ impl App {
     pub(in crate::tui) fn paste_in_editor(&mut self, text: &str) -> Vec<Effect> {
         let editing = self.editors.open_mut();
         let line = editing.and_then(|editing| {
+            editing.notice = None;
             editing.input.iter_mut().for_each(Input::replace_selected);
             line(editing)
         });

@@ -1,11 +1,13 @@
 //! Which tables there are, and the one in sight as rows and columns of cells.
 
+use std::collections::HashSet;
+
 use unicode_width::UnicodeWidthStr;
 
 use super::shown_text;
 use crate::design::grid::{Cell, CellKind, Grid, Row, Shape, Sheet, Shown};
 use crate::design::schema::target;
-use crate::design::{Editor, KeyPath, Side, Step};
+use crate::design::{Editor, KeyPath, Side, Step, changed_cells};
 use crate::tui::action::Action;
 
 /// The tables of a design, in the order of their keys.
@@ -145,13 +147,19 @@ pub struct View {
     pub shape: Shape,
     /// Columns of the screen that the longest label of a row takes
     pub longest_label: usize,
+    /// The cells that are not as they were saved.
+    changed: HashSet<KeyPath>,
 }
 
 impl View {
     pub fn new(editor: &Editor, tab: Tab, side: Side) -> Self {
         let grids: Vec<Grid> = tab.sheets(side).iter().map(|sheet| editor.grid(sheet)).collect();
         let shape = grids.first().map_or(Shape::Single, |grid| grid.sheet.shape);
-        if shape == Shape::Single { Self::turned(grids) } else { Self::table(grids, shape) }
+        let saved = editor.saved_text();
+        let changed =
+            grids.iter().filter(|_| editor.is_modified()).flat_map(|grid| changed_cells(saved, grid)).collect();
+        let view = if shape == Shape::Single { Self::turned(grids) } else { Self::table(grids, shape) };
+        Self { changed, ..view }
     }
 
     fn turned(grids: Vec<Grid>) -> Self {
@@ -162,7 +170,7 @@ impl View {
                 rows.extend(places.map(|places| ViewRow { grid, row, places }));
             }
         }
-        Self { grids, rows, columns: Vec::new(), shape: Shape::Single, longest_label: 0 }
+        Self { grids, rows, columns: Vec::new(), shape: Shape::Single, longest_label: 0, changed: HashSet::new() }
     }
 
     fn table(grids: Vec<Grid>, shape: Shape) -> Self {
@@ -203,7 +211,7 @@ impl View {
         for row in &mut rows {
             row.places.resize(count, None);
         }
-        let mut view = Self { grids, rows, columns, shape, longest_label: 0 };
+        let mut view = Self { grids, rows, columns, shape, longest_label: 0, changed: HashSet::new() };
         view.measure();
         view
     }
@@ -274,6 +282,18 @@ impl View {
                 let written = row.cells.iter().any(|cell| cell.shown.is_written());
                 Some(if written { Shown::Written(row.label.clone()) } else { Shown::Default(row.label.clone()) })
             }
+        }
+    }
+
+    /// Whether a place is not as it was saved.
+    pub fn is_changed(&self, row: usize, column: usize) -> bool {
+        let is_changed = |cell: &Cell| self.changed.contains(&cell.path);
+        match self.place(row, column) {
+            Some(Place::Cell(_)) => self.cell(row, column).is_some_and(is_changed),
+            Some(Place::Matrix) => self.row(row).is_some_and(|row| {
+                row.cells.iter().any(|cell| matches!(cell.kind, CellKind::MatrixEntry(..)) && is_changed(cell))
+            }),
+            Some(Place::Name) | None => false,
         }
     }
 

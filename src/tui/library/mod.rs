@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 pub use row::{Row, RowState};
 
+use unicode_width::UnicodeWidthStr;
+
 use super::text_field::TextField;
 use super::worker::Ticket;
-use crate::design::library::tree;
+use crate::design::library::{by_name, tree};
 use crate::text::printable;
 
 /// A row in the list.
@@ -55,6 +57,12 @@ impl Library {
 
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
+    }
+
+    /// Columns of the screen that the longest name takes, with what stands before it in the tree.
+    pub fn longest_name(&self) -> usize {
+        let widths = self.shown.iter().map(|&(at, depth)| 2 * depth.min(4) + self.rows[at].stem.width());
+        widths.max().unwrap_or(0)
     }
 
     /// How many match the filter.
@@ -238,7 +246,8 @@ impl Library {
         let mut paths: Vec<PathBuf> = self.rows.iter().map(|row| row.path.clone()).collect();
         if !paths.contains(&path) {
             let mut places = (0..paths.len()).filter(|&at| paths[at].parent() == path.parent());
-            let place = places.clone().find(|&at| paths[at] > path).or(places.next_back().map(|at| at + 1));
+            let place =
+                places.clone().find(|&at| by_name(&paths[at], &path).is_gt()).or(places.next_back().map(|at| at + 1));
             paths.insert(place.unwrap_or(paths.len()), path);
             self.replace(paths);
         }
@@ -282,6 +291,11 @@ impl Library {
         let lowest = (self.cursor + 1).saturating_sub(height);
         self.scroll = self.scroll.clamp(lowest, self.cursor.max(lowest)).min(last_start.max(lowest));
         before != (self.scroll, self.height)
+    }
+
+    /// All rows that match the filter, as they are listed.
+    pub fn matching(&self) -> impl Iterator<Item = &Row> {
+        self.shown.iter().filter_map(|&(at, _)| self.rows.get(at))
     }
 
     /// The visible rows.

@@ -70,6 +70,17 @@ impl Row {
         filter.is_empty() || self.stem.to_lowercase().contains(filter) || name.to_lowercase().contains(filter)
     }
 
+    /// What of the design's own name matches where the file's does not, from the match on; safe to show.
+    pub fn matching_title(&self, filter: &str) -> Option<String> {
+        let filter = filter.to_lowercase();
+        if filter.is_empty() || self.stem.to_lowercase().contains(&filter) {
+            return None;
+        }
+        let name = self.loaded.as_ref()?.design.name.as_str();
+        let start = name.char_indices().map(|(at, _)| at).find(|&at| name[at..].to_lowercase().starts_with(&filter))?;
+        Some(printable(&name[start..]).into_owned())
+    }
+
     pub(super) fn waits(&self) -> bool {
         self.stale || matches!(self.state, RowState::Pending | RowState::Loaded)
     }

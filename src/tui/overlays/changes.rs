@@ -28,7 +28,11 @@ pub fn section(title: &str, changes: &Changes, theme: &Theme) -> Vec<Said> {
             let arrow = if theme.glyphs.ascii { "->" } else { "→" };
             let shown = |value: &Option<String>| value.clone().unwrap_or_else(|| "nothing".into());
             lines.extend(values.iter().map(|value| {
-                let text = format!("  {}: {} {arrow} {} {}", value.label, shown(&value.a), shown(&value.b), value.unit);
+                let label = &value.label;
+                let text = match value.shown() {
+                    [_, change] if value.is_row => format!("  {label}: {change}"),
+                    _ => format!("  {label}: {} {arrow} {} {}", shown(&value.a), shown(&value.b), value.unit),
+                };
                 (text.trim_end().to_owned(), theme.fe)
             }));
         }

@@ -32,6 +32,7 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
     let stem = Row::new(form.path.clone()).stem;
     let (style, text) = match form.checked(&app.library) {
         _ if form.pending => (theme.faint, format!("working{}", theme.glyphs.ellipsis)),
+        Err(_) if !form.is_touched => (theme.faint, "another name".into()),
         Ok(_) => {
             let unsaved =
                 form.purpose == Purpose::Duplicate && app.editors.get(&form.path).is_some_and(Editing::is_modified);

@@ -7,6 +7,7 @@ pub mod help;
 pub mod messages;
 pub mod palette;
 pub mod recovery;
+pub mod spectra;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -32,6 +33,8 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             Mode::Name => cursor = form::render(app, area, buffer),
             Mode::Confirm => form::render_question(app, area, buffer),
             Mode::Messages => messages::render(app, area, buffer),
+            Mode::Why => spectra::render_why(app, area, buffer),
+            Mode::Export => cursor = spectra::render_form(app, area, buffer),
             Mode::Leave => leave::render(app, area, buffer),
             Mode::Recovery => recovery::render(app, area, buffer),
             Mode::Conflict => conflict::render(app, area, buffer),

@@ -23,7 +23,7 @@ use unicode_width::UnicodeWidthStr;
 use crate::agreement::Agreement;
 use crate::design::Difference;
 use crate::number::grouped;
-use crate::text::{cut, printable, wrap};
+use crate::text::{cut, cut_apart, printable, wrap};
 use crate::tui::app::App;
 use crate::tui::compare::{CompareView, Compared};
 use crate::tui::theme::Theme;
@@ -125,14 +125,8 @@ fn lines(result: &Compared, width: usize) -> Vec<Cells> {
 }
 
 fn cells(difference: &Difference) -> Cells {
-    let value =
-        |value: &Option<String>| value.as_deref().map_or_else(|| "-".into(), |value| printable(value).into_owned());
-    Cells::Values([
-        printable(&difference.label).into_owned(),
-        value(&difference.a),
-        value(&difference.b),
-        difference.unit.to_owned(),
-    ])
+    let [label, a, b] = [&difference.label, difference.shown()[0], difference.shown()[1]].map(|text| printable(text));
+    Cells::Values([label.into_owned(), a.into_owned(), b.into_owned(), difference.unit.to_owned()])
 }
 
 fn render_table(lines: &[Cells], top: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -155,13 +149,11 @@ fn render_table(lines: &[Cells], top: usize, theme: &Theme, area: Rect, buffer: 
     let label = all.saturating_sub(2 * (value + 2) + unit + 1);
     let ellipsis = theme.glyphs.ellipsis;
     let line = |[name, a, b, of]: [&str; 4]| {
-        let right = |text: &str| {
-            let text = cut(text, value, ellipsis);
-            format!("  {}{text}", " ".repeat(value.saturating_sub(text.width())))
-        };
+        let right = |text: &str| format!("  {}{text}", " ".repeat(value.saturating_sub(text.width())));
+        let [a, b] = cut_apart([a, b], value, ellipsis);
         let name = cut(name, label, ellipsis);
         let gap = " ".repeat(label.saturating_sub(name.width()));
-        format!(" {name}{gap}{}{} {}", right(a), right(b), cut(of, unit, ellipsis))
+        format!(" {name}{gap}{}{} {}", right(&a), right(&b), cut(of, unit, ellipsis))
     };
     let width = usize::from(area.width);
     buffer.set_stringn(area.x, area.y, line(["value", "A", "B", "unit"]), width, theme.faint);

@@ -14,8 +14,9 @@
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
+use unicode_width::UnicodeWidthStr;
 
-use crate::text::printable;
+use crate::text::{cut, printable, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
@@ -29,7 +30,10 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let buffer = frame.buffer_mut();
     let row = |y: u16, height: u16| Rect { y: area.y + y, height, ..area };
     let body = super::body(area);
-    let left_width = (area.width * 5 / 12).clamp(24, 38);
+    let most = area.width * 5 / 12;
+    // more than that only for names that would be cut
+    let wanted = u16::try_from(library::wanted_width(app) + 2).unwrap_or(u16::MAX);
+    let left_width = most.clamp(24, 38).max(wanted.min(most));
     let left = Rect { width: left_width, ..body };
     let right = Rect { x: body.x + left_width, width: body.width - left_width, ..body };
 
@@ -87,6 +91,14 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
     let Some(Outcome::Solved { picture, summary, .. }) = &mut app.detail.outcome else { return };
     let inner = panel::frame(area, buffer, &spectrum::title(&theme, area.width), false, &theme);
+    let warnings =
+        app.library.selected().and_then(|row| row.loaded.as_ref()).map_or(&[][..], |loaded| &loaded.warnings);
+    let warned = warning_lines(warnings, usize::from(inner.width.saturating_sub(2)), theme.glyphs.ellipsis);
+    let below = Rect { y: inner.bottom() - warned.len() as u16, height: warned.len() as u16, ..inner };
+    let inner = Rect { height: inner.height - below.height, ..inner };
+    for (line, y) in warned.iter().zip(below.top()..below.bottom()) {
+        buffer.set_stringn(below.x + 1, y, line, usize::from(below.width), theme.warning);
+    }
     let strip_height = (inner.height * 3 / 10).clamp(3, 7) | 1;
     let upper = Rect { height: inner.height.saturating_sub(strip_height + 1), ..inner };
     let strip = Rect { y: upper.bottom() + 1, height: strip_height, ..inner };
@@ -95,13 +107,18 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     spectrum::render(picture, summary.enhanced.agreement_limit_hz, &theme, upper, buffer);
     panel::divider(area, buffer, upper.bottom(), &difference_strip::title(&theme), &theme);
     difference_strip::render(picture, &theme, strip, buffer);
-    let warnings =
-        app.library.selected().and_then(|row| row.loaded.as_ref()).map_or(&[][..], |loaded| &loaded.warnings);
-    if let Some(first) = warnings.first() {
-        let others = if warnings.len() > 1 { format!(" (and {} more)", warnings.len() - 1) } else { String::new() };
-        let title = Title::left(format!("! {}{others}", printable(first)));
-        panel::bottom(area, buffer, &title, false, &theme);
+}
+
+/// The first warning in at most two lines, and how many there are besides.
+fn warning_lines(warnings: &[String], width: usize, ellipsis: &str) -> Vec<String> {
+    let Some(first) = warnings.first() else { return Vec::new() };
+    let more = if warnings.len() > 1 { format!(" (and {} more)", warnings.len() - 1) } else { String::new() };
+    let lines = wrap(&format!("! {}{more}", printable(first)), width);
+    if lines.len() <= 2 {
+        return lines;
     }
+    let room = width.saturating_sub(more.width() + ellipsis.width());
+    vec![lines[0].clone(), format!("{}{ellipsis}{more}", cut(&lines[1], room, ""))]
 }
 
 /// What the right side says where there is neither a result nor an error.

@@ -3,6 +3,9 @@
 pub mod compare;
 pub mod editor;
 pub mod explorer;
+pub mod modes;
+pub mod overview;
+pub mod spectra;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

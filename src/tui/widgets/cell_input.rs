@@ -22,6 +22,7 @@ pub fn render(input: &Input, cell: Rect, theme: &Theme, area: Rect, buffer: &mut
     let width = cell.width.max(NARROWEST).min(area.width);
     let x = cell.x.min(area.right().saturating_sub(width));
     let place = Rect { x, y: cell.y, width, height: 1 };
+    clear_remnant(place, area, buffer);
     let cursor = bracketed(&input.line, theme, place, buffer);
     if input.is_selected {
         let text = input.line.text().width().min(usize::from(width.saturating_sub(2)));
@@ -31,6 +32,22 @@ pub fn render(input: &Input, cell: Rect, theme: &Theme, area: Rect, buffer: &mut
         draw_error(error, place, theme, area, buffer);
     }
     cursor
+}
+
+/// Of a value that the box covers in part nothing stays behind it.
+fn clear_remnant(place: Rect, area: Rect, buffer: &mut Buffer) {
+    let is_blank = |x: u16| buffer.cell((x, place.y)).is_none_or(|cell| cell.symbol() == " ");
+    let right = place.right();
+    if right >= area.right() || is_blank(right - 1) {
+        return;
+    }
+    // between two values there are more blanks than within one
+    let end = (right..area.right()).find(|&x| is_blank(x) && (x + 1 >= area.right() || is_blank(x + 1)));
+    for x in right..end.unwrap_or(area.right()) {
+        if let Some(cell) = buffer.cell_mut((x, place.y)) {
+            cell.reset();
+        }
+    }
 }
 
 /// Beside the box if there is room, else below or above it.

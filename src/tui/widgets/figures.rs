@@ -41,23 +41,30 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
         Some(was) if limit(&was[at]) != limits[at] => format!(" (was {}),", short_limit(&was[at])),
         _ => ",".into(),
     });
-    let wide: [usize; 2] =
+    let mut wide: [usize; 2] =
         [limits.iter().map(String::len).max().unwrap_or(0), before.iter().map(String::len).max().unwrap_or(0)];
+    let rms_before: [String; 2] = std::array::from_fn(|at| match &was {
+        Some(was) if format!("{:.2}", was[at].rms_db) != format!("{:.2}", now[at].rms_db) => {
+            format!(" (was {:.2})", was[at].rms_db)
+        }
+        _ => String::new(),
+    });
+    let widest_rms = rms_before.iter().map(String::len).max().unwrap_or(0);
     let models = [("enhanced", theme.enhanced), ("basic", theme.basic)];
+    // both lines have the same columns, and where there is little room both are brief
+    let all = 11 + wide[0] + wide[1] + " 10.13 dB RMS".len() + widest_rms + ", FRAC 0.56".len();
+    let up_to = if all < usize::from(area.width) { "up to" } else { "to" };
+    let limits = limits.map(|limit| limit.replace("up to", up_to));
+    wide[0] = limits.iter().map(String::len).max().unwrap_or(0);
     for (row, (name, style)) in models.into_iter().enumerate().take(usize::from(area.height)) {
         let agreement = &now[row];
-        let rms = match &was {
-            Some(was) if format!("{:.2}", was[row].rms_db) != format!("{:.2}", agreement.rms_db) => {
-                format!(" (was {:.2})", was[row].rms_db)
-            }
-            _ => String::new(),
-        };
+        let gap = widest_rms - rms_before[row].len();
         let parts = [
             Span::styled(format!(" {name:>8}: "), style),
             Span::styled(format!("{:>1$}", limits[row], wide[0]), theme.title),
             Span::raw(format!("{:<1$}", before[row], wide[1])),
-            Span::raw(format!(" {:>5.2} dB RMS{rms}", agreement.rms_db)),
-            Span::raw(format!(", FRAC {:.2}", agreement.frac)),
+            Span::raw(format!(" {:>5.2} dB RMS{}", agreement.rms_db, rms_before[row])),
+            Span::raw(format!(",{:gap$} FRAC {:.2}", "", agreement.frac)),
         ];
         let worst = format!(", at worst {:.1} dB at {} Hz", agreement.max_db.abs(), grouped(agreement.max_at_hz));
         let mut line = Line::default();

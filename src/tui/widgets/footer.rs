@@ -32,6 +32,18 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
             cursor = Some(position);
             x = (end + 2).min(area.right());
         }
+        if let Some(notice) = app.notice.as_ref().filter(|notice| notice.kind == NoticeKind::Done) {
+            let room = usize::from(area.right().saturating_sub(x));
+            let text = cut(&printable(&notice.text), room, ellipsis);
+            x = (buffer.set_stringn(x, area.y, text, room, theme.title).0 + 1).min(area.right());
+        }
+    } else if let (Mode::Frequency, Some(view), None) = (app.mode, &app.modes, app.shown_notice()) {
+        let place = Rect { width: area.width.div_ceil(2), ..area };
+        let prompt = (" deflection at, Hz: ", theme.title);
+        if let Some((position, end)) = prompted(prompt, (&view.field, theme.title), theme, place, buffer) {
+            cursor = Some(position);
+            x = (end + 2).min(area.right());
+        }
     } else if let Some(notice) = app.shown_notice() {
         let text = printable(&notice.text);
         // what happened comes before what could be done

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::panel::{self, Title};
+use crate::design::Changes;
 use crate::text::{cut, printable};
 use crate::tui::action::Action;
 use crate::tui::app::App;
@@ -20,7 +21,8 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
             let errors = editing.errors();
             let errors = if errors == 0 { "" } else { " (with errors)" };
-            format!("  {} *{errors}", printable(&stem))
+            let changes = Changes::between(editing.saved_text(), editing.editor.text()).count();
+            format!("  {} * {changes}{errors}", printable(&stem))
         })
         .collect();
     let width = area.width.min(60);

@@ -51,7 +51,12 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let heading = columns.line("design", "FE", "trust Hz", theme);
     buffer.set_stringn(area.x, area.y, heading, usize::from(area.width), theme.faint);
     for (Visible { row, selected, marked, depth, folder }, y) in app.library.visible().zip(area.y + 1..area.bottom()) {
-        let text = columns.row(row, &stem(row, folder.as_deref(), marked, depth, theme), theme);
+        let name = stem(row, folder.as_deref(), marked, depth, theme);
+        let name = match row.matching_title(app.library.filter()) {
+            Some(title) => columns.with_title(&name, &title, theme),
+            None => name,
+        };
+        let text = columns.row(row, &name, theme);
         let style = match (&row.state, selected) {
             (_, true) => theme.selected,
             (RowState::Broken(_) | RowState::Unsolvable(_), false) => theme.error,
@@ -75,6 +80,11 @@ fn stem(row: &Row, folder: Option<&str>, marked: bool, depth: usize, theme: &The
     format!("{}{branch}{mark}{folder}{}", "  ".repeat(depth.saturating_sub(1)), row.stem)
 }
 
+/// The width of a list in which no name is cut.
+pub fn wanted_width(app: &App) -> usize {
+    1 + app.library.longest_name() + " *".len() + COORDINATES + LIMIT
+}
+
 /// The rows under the heading.
 pub fn rows(area: Rect) -> usize {
     usize::from(area.height).saturating_sub(1)
@@ -91,6 +101,15 @@ impl Widths {
     fn new(all: usize) -> Self {
         let coordinates = if all >= 28 { COORDINATES } else { 0 };
         Self { name: all.saturating_sub(1 + coordinates + LIMIT), coordinates, all }
+    }
+
+    /// The name, with what of the design's title matches the filter.
+    fn with_title(&self, name: &str, title: &str, theme: &Theme) -> String {
+        let ellipsis = theme.glyphs.ellipsis;
+        let room = self.name.saturating_sub(2);
+        let name = cut(name, room.saturating_sub(title.width() + 3).max(room / 2), ellipsis);
+        let left = room.saturating_sub(name.width() + 3);
+        format!("{name} \"{}\"", cut(title, left, ellipsis))
     }
 
     fn line(&self, name: &str, coordinates: &str, limit: &str, theme: &Theme) -> String {

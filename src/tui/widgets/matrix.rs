@@ -73,7 +73,7 @@ pub fn render(editing: &Editing, entry: Entry, theme: &Theme, area: Rect, buffer
             let (open, close) = match (selected, mirrored) {
                 (true, _) => ("[", "]"),
                 // changes with the one under the cursor
-                (_, true) => ("(", ")"),
+                (_, true) => ("{", "}"),
                 _ => (" ", " "),
             };
             let style = if selected { theme.selected } else { Style::new() };

@@ -19,7 +19,9 @@ use unicode_width::UnicodeWidthStr;
 use crate::design::grid::{CellKind, Shown};
 use crate::design::{Finding, Severity};
 use crate::text::{cut, printable};
+use crate::tui::action::Action;
 use crate::tui::editor::{Cursor, Editing, View, shown_text};
+use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 
 /// Widest column, without its brackets.
@@ -44,7 +46,7 @@ pub fn wanted_height(editing: &Editing) -> u16 {
 }
 
 /// Draws the table and scrolls so that the cell under the cursor is in sight.
-pub fn render(editing: &mut Editing, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Drawn {
+pub fn render(editing: &mut Editing, keys: &KeyNames<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) -> Drawn {
     if area.is_empty() {
         return Drawn::default();
     }
@@ -61,7 +63,7 @@ pub fn render(editing: &mut Editing, theme: &Theme, area: Rect, buffer: &mut Buf
     let places = layout.places(left, usize::from(area.width));
     draw_header(&layout, &places, theme, Rect { height: header, ..area }, buffer);
     if count == 0 {
-        let text = " no rows: a adds one";
+        let text = format!(" no rows: {} adds one", keys.of(Action::AddRow));
         buffer.set_stringn(rows.x, rows.y, text, usize::from(rows.width), theme.faint);
     }
     let cursor = editing.cursor();
@@ -273,8 +275,14 @@ fn draw_cell(
     let text = if right { format!("{gap}{text}") } else { format!("{text}{gap}") };
     let (open, close) = if selected { ("[", "]") } else { (" ", " ") };
     buffer.set_stringn(area.x, area.y, format!("{open}{text}{close}"), width + 2, style);
-    if let Some((mark, style)) = mark(editing.findings(), &editing.view.findings(row, column), theme) {
+    let found = mark(editing.findings(), &editing.view.findings(row, column), theme);
+    if let Some((mark, style)) = found {
         buffer.set_stringn(area.right() - 1, area.y, mark, 1, style);
+    }
+    if editing.view.is_changed(row, column) && !(selected && found.is_some()) {
+        // a finding has the place after the bracket
+        let x = if found.is_some() { area.right() - 2 } else { area.right() - 1 };
+        buffer.set_stringn(x, area.y, "*", 1, theme.key);
     }
 }
 

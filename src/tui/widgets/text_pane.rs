@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::panel::{self, Title};
-use crate::text::wrap;
+use crate::text::wrap_quoted;
 use crate::tui::app::Scroll;
 use crate::tui::theme::Theme;
 
@@ -25,7 +25,7 @@ pub fn render(
     if text_area.is_empty() {
         return;
     }
-    let lines = wrap(text, usize::from(text_area.width));
+    let lines = wrap_quoted(text, usize::from(text_area.width), theme.glyphs.ellipsis);
     scroll.fit(lines.len(), usize::from(text_area.height));
     for (line, y) in lines.iter().skip(scroll.top).zip(text_area.top()..text_area.bottom()) {
         buffer.set_stringn(text_area.x, y, line, usize::from(text_area.width), style);

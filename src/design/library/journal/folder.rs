@@ -5,7 +5,6 @@ use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
 use super::{Journal, JournalError};
-use crate::design::draft::clear_stale;
 use crate::design::load::MAX_BYTES;
 use crate::design::save::{SaveError, move_to_free};
 
@@ -30,10 +29,8 @@ pub fn recovery_folder() -> Option<PathBuf> {
     Some(dirs::state_dir().or_else(dirs::data_local_dir)?.join("bevelscope").join("recovery"))
 }
 
-/// All journals of a folder, the latest first, damaged ones last. A folder that is not there has none. Nothing is changed but that
-/// drafts without a writer are removed.
+/// All journals of a folder, the latest first, damaged ones last. A folder that is not there has none. Nothing is changed.
 pub fn journals(folder: &Path) -> Vec<Found> {
-    clear_stale(folder);
     let paths = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     let mut found: Vec<Found> = paths.filter(|path| is_journal(path)).map(look_at).collect();
     let when = |found: &Found| found.journal.as_ref().ok().map(|journal| journal.when);

@@ -45,6 +45,10 @@ fn message(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme) -> Message {
     if let Some(input) = &editing.input {
         return match (&input.error, editing.target()) {
             (Some(error), _) => Message::new(format!("{broken} {error}"), theme.error),
+            (None, _) if editing.notice.as_ref().is_some_and(|notice| !notice.is_error) => {
+                let text = editing.notice.as_ref().map_or(String::new(), |notice| notice.text.clone());
+                Message::new(text, theme.title)
+            }
             (None, Some(cell)) if input.is_selected => {
                 let text = format!("Typing replaces it, moving the cursor keeps it. {}", about_cell(cell, keys));
                 Message::new(text, theme.faint)
@@ -75,6 +79,10 @@ fn message(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme) -> Message {
     }
     let cursor = editing.cursor();
     let text = match (editing.target(), editing.view.place(cursor.row, cursor.column)) {
+        (Some(cell), _) if cell.column.key == "material" => {
+            let names = editing.material_names().join(", ");
+            format!("{names}: {} takes the next, {} types", keys.of(Action::CycleCell), keys.of(Action::EditCell))
+        }
         (Some(cell), _) => about_cell(cell, keys),
         (None, Some(Place::Matrix)) => format!("6x6 stiffness: {} opens it", keys.of(Action::EditCell)),
         (None, Some(Place::Name)) => {

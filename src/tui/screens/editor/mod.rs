@@ -79,7 +79,7 @@ fn render_body(
     let frame = Rect { height: upper, ..area };
     let focused = editing.layer.is_none();
     let inner = panel::frame(frame, buffer, &table_title(editing, keys), focused, theme);
-    let drawn = table::render(editing, theme, inner, buffer);
+    let drawn = table::render(editing, keys, theme, inner, buffer);
     let said = [totals(editing, theme), drawn.position];
     let said: Vec<String> = said.into_iter().flatten().collect();
     if !said.is_empty() {

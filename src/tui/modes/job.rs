@@ -1,0 +1,74 @@
+//! The work behind the screen of the modes, done on a thread of its own: the latest request counts.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::study::{DeflectionShapes, Study};
+use crate::comparison::SolveError;
+use crate::tui::backend::Backend;
+use crate::tui::message::Message;
+use crate::tui::worker::{Ticket, guarded};
+use crate::{design, tui};
+
+/// A request.
+#[derive(Debug, Clone)]
+pub struct ModesJob {
+    pub ticket: Ticket,
+    pub wanted: Wanted,
+}
+
+/// Each request has a number of its own.
+impl PartialEq for ModesJob {
+    fn eq(&self, other: &Self) -> bool {
+        self.ticket == other.ticket
+    }
+}
+
+/// What is computed.
+#[derive(Debug, Clone)]
+pub enum Wanted {
+    /// The modes of a design, with its text where that is not saved.
+    Modes { path: PathBuf, unsaved: Option<String> },
+    /// The deflection shapes at a frequency (Hz, greater than 0).
+    Deflection { study: Arc<Study>, at_hz: f64 },
+}
+
+/// What came of it.
+#[derive(Debug, Clone)]
+pub enum Answer {
+    Modes(Arc<Study>),
+    Deflection(Arc<DeflectionShapes>),
+}
+
+/// Does a request; nothing where it is no longer wanted. A panic becomes its error.
+pub fn perform(job: &ModesJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool) -> Option<Message> {
+    let in_words = |error: SolveError| error.to_string();
+    let result = match &job.wanted {
+        Wanted::Modes { path, unsaved } => guarded(|| {
+            let design = match unsaved {
+                None => backend.load(path).map_err(|broken| Some(broken.one_line))?.design,
+                Some(text) => {
+                    let reading = design::read(text);
+                    let error = reading.errors().next().map(tui::widgets::findings::sentence).unwrap_or_default();
+                    reading.design.ok_or(Some(error))?
+                }
+            };
+            match backend.modes(&design, wanted) {
+                Ok(study) => Ok(Answer::Modes(Arc::new(study))),
+                Err(SolveError::Cancelled) => Err(None),
+                Err(error) => Err(Some(in_words(error))),
+            }
+        }),
+        Wanted::Deflection { study, at_hz } => guarded(|| {
+            let found = study.deflection(*at_hz).map_err(|error| Some(in_words(error)))?;
+            Ok(Answer::Deflection(Arc::new(found)))
+        }),
+    };
+    let result = match result {
+        Ok(Ok(answer)) => Ok(answer),
+        Ok(Err(None)) => return None,
+        Ok(Err(Some(error))) => Err(error),
+        Err(panic) => Err(format!("failed unexpectedly: {panic}")),
+    };
+    Some(Message::ModesFound { ticket: job.ticket, result })
+}

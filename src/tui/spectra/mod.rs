@@ -1,0 +1,224 @@
+//! The wide screen: the spectra of a design over the whole window, with a cursor, bands of disagreement and their reasons.
+//!
+//! The state is what is shown and what came from the background so far ([`Known`]). Whatever is wanted and not known is asked for with a
+//! [`SpectraJob`] that carries what is known, so that nothing is computed twice.
+
+mod columns;
+mod curve;
+mod export;
+mod form;
+mod job;
+mod keys;
+mod quantity;
+mod readout;
+mod solve;
+mod update;
+mod why;
+
+use std::path::PathBuf;
+
+pub use columns::{Drawn, Request};
+pub use curve::Curve;
+pub use export::Export;
+pub use form::ExportForm;
+pub use job::{Known, Part, SpectraJob, perform};
+pub use quantity::Quantity;
+pub use readout::{Item, level_text, value};
+pub use solve::{ModelCurves, Subject};
+pub use why::{Band, Findings, Labelled};
+
+use super::app::Scroll;
+use super::axis::FrequencyAxis;
+use super::worker::Ticket;
+use crate::design::FrequencySpacing;
+use crate::model::ModelKind;
+
+/// Modes a rotor of the reduced model, at first and at most.
+const FIRST_REDUCED: usize = 3;
+const MOST_REDUCED: usize = 99;
+/// Tolerances, dB
+const TOLERANCES: (f64, f64) = (1.0, 10.0);
+
+/// What the lower panel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lower {
+    Difference,
+    Phase,
+    /// The other quantity of the mesh
+    Beside,
+    SixthOctaves,
+}
+
+impl Lower {
+    const ALL: [Self; 4] = [Self::Difference, Self::Phase, Self::Beside, Self::SixthOctaves];
+}
+
+/// What is listed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Listed {
+    Bands,
+    Peaks,
+    Nothing,
+}
+
+/// The view.
+#[derive(Debug)]
+pub struct SpectraView {
+    pub ticket: Ticket,
+    /// Safe to show
+    pub name: String,
+    pub path: PathBuf,
+    text: Option<String>,
+    pub known: Known,
+    /// How far the model is that is being solved, from 0 to 1; nothing where all is there.
+    pub pending: Option<f64>,
+    /// Why there is nothing, or why a model is missing.
+    pub failure: Option<String>,
+    pub missing: Vec<ModelKind>,
+    pub quantity: Quantity,
+    /// FE, enhanced, basic, reduced
+    pub shown: [bool; 4],
+    /// Fixed-interface modes a rotor
+    pub reduced: usize,
+    /// Place of the model that is held against FE: 1 to 3
+    against: usize,
+    /// dB
+    pub tolerance: f64,
+    pub log: bool,
+    pub linear_level: bool,
+    pub lower: Lower,
+    pub listed: Listed,
+    /// What is in sight, Hz; all of it before anything is known
+    window: Option<(f64, f64)>,
+    /// A line of the analysis
+    pub cursor: usize,
+    pub scroll: Scroll,
+    pub form: Option<ExportForm>,
+    /// Columns of the plot that was drawn last
+    width: usize,
+    drawn: Option<Drawn>,
+}
+
+impl SpectraView {
+    fn new(ticket: Ticket, name: String, path: PathBuf, text: Option<String>) -> Self {
+        Self {
+            ticket,
+            name,
+            path,
+            text,
+            known: Known::default(),
+            pending: Some(0.0),
+            failure: None,
+            missing: Vec::new(),
+            quantity: Quantity::MeshForce,
+            shown: [true, true, true, false],
+            reduced: FIRST_REDUCED,
+            against: 1,
+            tolerance: super::traces::TOLERANCE_DB,
+            log: false,
+            linear_level: false,
+            lower: Lower::Difference,
+            listed: Listed::Bands,
+            window: None,
+            cursor: 0,
+            scroll: Scroll::default(),
+            form: None,
+            width: 0,
+            drawn: None,
+        }
+    }
+
+    /// All four models.
+    pub fn kinds(&self) -> [ModelKind; 4] {
+        [ModelKind::Fe, ModelKind::Enhanced, ModelKind::Basic, ModelKind::Reduced(self.reduced)]
+    }
+
+    /// Those whose curves are wanted.
+    pub fn shown_kinds(&self) -> impl Iterator<Item = ModelKind> + use<> {
+        self.kinds().into_iter().zip(self.shown).filter(|(_, shown)| *shown).map(|(kind, _)| kind)
+    }
+
+    /// The model that is held against finite elements.
+    pub fn against(&self) -> ModelKind {
+        self.kinds()[self.against]
+    }
+
+    /// A quantity's curve of a model, if it is there.
+    pub fn curve(&self, kind: ModelKind, quantity: Quantity) -> Option<&Curve> {
+        self.known.model(kind)?.curve(quantity).map(|curve| &**curve)
+    }
+
+    /// Bands and peaks of what is shown.
+    pub fn findings(&self) -> Option<&Findings> {
+        let of = |findings: &&Findings| findings.against == self.against() && findings.quantity == self.quantity;
+        self.known.findings.as_deref().filter(of)
+    }
+
+    /// Lines of the analysis, Hz.
+    pub fn lines(&self) -> &[f64] {
+        self.known.subject.as_ref().map_or(&[], |subject| &subject.frequency_hz)
+    }
+
+    /// First and last line, Hz.
+    fn ends(&self) -> Option<(f64, f64)> {
+        let lines = self.lines();
+        Some((*lines.first()?, *lines.last()?))
+    }
+
+    /// What is in sight.
+    pub fn axis(&self) -> Option<FrequencyAxis> {
+        let (min, max) = self.window.or_else(|| self.ends())?;
+        Some(FrequencyAxis { min, max, log: self.log && min > 0.0 })
+    }
+
+    /// Where the cursor is, Hz.
+    pub fn at_hz(&self) -> Option<f64> {
+        self.lines().get(self.cursor).copied()
+    }
+
+    /// The band that the cursor is in, or the one next to it.
+    pub fn band_at(&self) -> Option<usize> {
+        let hz = self.at_hz()?;
+        let bands = &self.findings()?.bands;
+        let distance = |band: &Band| (band.band.from_hz - hz).max(hz - band.band.to_hz).max(0.0);
+        (0..bands.len()).min_by(|&a, &b| distance(&bands[a]).total_cmp(&distance(&bands[b])))
+    }
+
+    /// The same, only if the cursor is in it.
+    pub fn band_under(&self) -> Option<usize> {
+        let (hz, at) = (self.at_hz()?, self.band_at()?);
+        let band = self.findings()?.bands[at].band;
+        (band.from_hz..=band.to_hz).contains(&hz).then_some(at)
+    }
+
+    /// The peak next to the cursor.
+    pub fn peak_at(&self) -> Option<usize> {
+        let hz = self.at_hz()?;
+        let peaks = &self.findings()?.peaks;
+        let distance = |at: usize| (peaks[at].place() - hz).abs();
+        (0..peaks.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+    }
+
+    /// Takes over what came; what the design is decides how it is shown at first.
+    fn take(&mut self, part: &Part) {
+        self.known.take(part);
+        match part {
+            Part::Subject(subject) => {
+                self.log = subject.design.analysis.frequency_spacing == FrequencySpacing::Log;
+                self.cursor = subject.frequency_hz.len() / 2;
+            }
+            Part::Model(model) => self.missing.retain(|kind| *kind != model.kind),
+            Part::Progress(done) => self.pending = Some(*done),
+            Part::Failed(kind, text) => {
+                self.missing.extend(*kind);
+                self.failure = Some(text.clone());
+                if kind.is_none() {
+                    self.pending = None;
+                }
+            }
+            Part::Done => self.pending = None,
+            Part::Modes(_) | Part::Findings(_) => {}
+        }
+        self.drawn = None;
+    }
+}

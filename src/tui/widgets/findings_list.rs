@@ -1,0 +1,80 @@
+//! The bands of disagreement, or the peaks in pairs, as a list that follows the cursor.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use super::panel::Title;
+use crate::number::grouped;
+use crate::text::{cut, printable};
+use crate::tui::spectra::{Band, Labelled, Listed, SpectraView};
+use crate::tui::theme::Theme;
+
+/// What is listed, and how much of it there is.
+pub fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
+    let Some(findings) = view.findings() else { return Title::left(theme.glyphs.ellipsis) };
+    let (count, word) = match view.listed {
+        Listed::Peaks => (findings.peaks.len(), "peak"),
+        _ => (findings.bands.len(), "band"),
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    let against = super::wide_plot::legend_name(findings.against);
+    let long = match view.listed {
+        Listed::Peaks => format!("{count} {word}{plural}, FE and {against}"),
+        _ => format!("{count} {word}{plural}, {against} off by >{} dB", findings.tolerance),
+    };
+    Title { left: vec![long, format!("{count} {word}{plural}")], right: Vec::new() }
+}
+
+/// Draws the list with its head.
+pub fn render(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let Some(findings) = view.findings().filter(|_| !area.is_empty()) else { return };
+    let width = usize::from(area.width);
+    let (head, rows, at): (&str, Vec<String>, Option<usize>) = match view.listed {
+        Listed::Peaks => (
+            "  #   FE Hz   other  shift %    dB  mode",
+            findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak)).collect(),
+            view.peak_at(),
+        ),
+        _ => (
+            " from Hz   to Hz  worst dB  mode",
+            findings.bands.iter().map(|band| band_row(band, findings.is_complete)).collect(),
+            view.band_at(),
+        ),
+    };
+    buffer.set_stringn(area.x + 1, area.y, head, width.saturating_sub(1), theme.faint);
+    let room = usize::from(area.height.saturating_sub(1));
+    let top = at.map_or(0, |at| at.saturating_sub(room.saturating_sub(1) / 2)).min(rows.len().saturating_sub(room));
+    for ((place, row), y) in rows.iter().enumerate().skip(top).zip(area.y + 1..area.bottom()) {
+        let is_here = Some(place) == at;
+        let mark = if is_here { theme.glyphs.selected } else { " " };
+        let text = cut(row, width.saturating_sub(2), theme.glyphs.ellipsis);
+        buffer.set_stringn(area.x, y, mark, 1, theme.key);
+        buffer.set_stringn(area.x + 1, y, text, width - 1, if is_here { theme.title } else { Style::new() });
+    }
+    if rows.is_empty() && room > 0 {
+        let text = if view.listed == Listed::Peaks { "none" } else { "no line is beyond the tolerance" };
+        buffer.set_stringn(area.x + 1, area.y + 1, text, width.saturating_sub(1), theme.faint);
+    }
+}
+
+fn band_row(Band { band, mode, .. }: &Band, is_complete: bool) -> String {
+    let mode = match mode {
+        Some((hz, name)) => format!("{} Hz {}", grouped(*hz), printable(name)),
+        None if is_complete => "-".into(),
+        None => "..".into(),
+    };
+    format!("{:>8}{:>8}{:>+10.1}  {mode}", grouped(band.from_hz), grouped(band.to_hz), band.worst_db)
+}
+
+fn peak_row(at: usize, Labelled { pair, mode }: &Labelled) -> String {
+    let hz = |hz: Option<f64>| hz.map_or_else(|| "-".into(), grouped);
+    let signed =
+        |value: Option<f64>, digits: usize| value.map_or_else(|| "-".into(), |value| format!("{value:+.digits$}"));
+    let shift = match pair.shift_percent {
+        Some(_) => signed(pair.shift_percent, 2),
+        None => "unpaired".into(),
+    };
+    let (height, mode) = (signed(pair.height_db, 1), printable(mode.as_deref().unwrap_or("")));
+    format!("{:>3}{:>8}{:>8}{shift:>9}{height:>6}  {mode}", at + 1, hz(pair.fe_hz), hz(pair.lumped_hz))
+}

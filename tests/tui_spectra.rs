@@ -1,0 +1,375 @@
+//! The wide screen: key scripts, its figures against the library's, and the order of results.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+mod tui_support;
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Sender};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use bevelscope::agreement::disagreement_bands;
+use bevelscope::comparison::{Comparison, Observer, SolveError, solve, solve_with_bearings};
+use bevelscope::design::library::SHIPPED;
+use bevelscope::design::{self, Design};
+use bevelscope::model::{ModelKind, Rotors, pinion_speed_rpm};
+use bevelscope::response::frequency_lines;
+use bevelscope::tui::caps::{Capabilities, ColourDepth};
+use bevelscope::tui::keymap::Mode;
+use bevelscope::tui::message::{Effect, Message};
+use bevelscope::tui::spectra::{ModelCurves, Part, SpectraJob, SpectraView, Subject};
+use bevelscope::tui::worker::{Ticket, Worker};
+use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
+use insta::assert_snapshot;
+use num_complex::Complex64;
+use tui_support::{ASCII, Screen, Shelf, UNICODE};
+
+const STEM: &str = "overhung-elastic";
+
+fn text() -> &'static str {
+    SHIPPED.iter().find(|shipped| shipped.file_name.starts_with(STEM)).unwrap().text
+}
+
+fn subject() -> (Design, Rotors, Vec<f64>) {
+    let design = design::read(text()).design.unwrap();
+    let rotors = Rotors::new(&design).unwrap();
+    let lines = frequency_lines(&design.analysis);
+    (design, rotors, lines)
+}
+
+fn wide(width: u16, height: u16, capabilities: Capabilities, keys: &str) -> Screen {
+    let mut screen = Screen::with(&[STEM], width, height, capabilities, Shelf::shipped());
+    screen.keys("w").keys(keys);
+    screen
+}
+
+fn view(screen: &Screen) -> &SpectraView {
+    screen.app.spectra.as_ref().unwrap()
+}
+
+#[test]
+fn spectra_80x24_ascii() {
+    assert_snapshot!(wide(80, 24, ASCII, "n").text());
+}
+
+#[test]
+fn spectra_120x40() {
+    assert_snapshot!(wide(120, 40, UNICODE, "4pa<Tab>").text());
+}
+
+#[test]
+fn spectra_60x18() {
+    assert_snapshot!(wide(60, 18, UNICODE, "vvii").text());
+}
+
+#[test]
+fn why_80x24_ascii() {
+    assert_snapshot!(wide(80, 24, ASCII, "nn<Enter>").text());
+}
+
+#[test]
+fn colours_change_no_text() {
+    for keys in ["", "4a", "n<Enter>"] {
+        let plain = wide(80, 24, Capabilities { colour: ColourDepth::None, ..UNICODE }, keys).text();
+        assert_eq!(wide(80, 24, UNICODE, keys).text(), plain, "{keys}");
+    }
+}
+
+#[test]
+fn the_cursor_is_on_a_line_and_its_figures_are_the_librarys() {
+    let (design, rotors, lines) = subject();
+    let mut screen = wide(120, 40, UNICODE, "llH");
+    for kind in [ModelKind::Fe, ModelKind::Enhanced, ModelKind::Basic] {
+        let at = view(&screen).cursor;
+        let force = solve(kind, &design, &rotors, &lines).unwrap().mesh_force[at];
+        let db = format!("{:.2} dB", 20.0 * force.norm().log10());
+        assert!(screen.text().contains(&db), "{kind:?} {db}\n{}", screen.text());
+    }
+    let speed = pinion_speed_rpm(&design, lines[view(&screen).cursor]).unwrap();
+    assert!(screen.text().replace(',', "").contains(&format!("pinion {speed:.0} rpm")));
+    // each of the bearings, in the design's order, and each part of its force
+    let all = solve_with_bearings(ModelKind::Enhanced, &design, &rotors, &lines).unwrap();
+    screen.keys("v");
+    for bearing in &all.bearings {
+        screen.keys("v");
+        let parts: [fn(&[Complex64; 6]) -> f64; 5] = [
+            |f| f[0].norm().hypot(f[1].norm()).hypot(f[2].norm()),
+            |f| f[0].norm(),
+            |f| f[1].norm(),
+            |f| f[2].norm(),
+            |f| f[0].norm().hypot(f[2].norm()),
+        ];
+        for part in parts {
+            let view = view(&screen);
+            let curve = view.curve(ModelKind::Enhanced, view.quantity).unwrap();
+            for (at, force) in bearing.force.iter().enumerate().step_by(97) {
+                let wanted = part(force);
+                assert!((curve.lines[at].norm() - wanted).abs() <= 1e-9 * wanted, "{} {at}", bearing.name);
+            }
+            assert!(screen.text().contains("recovered by static shapes"), "{}", screen.text());
+            screen.keys("r");
+        }
+    }
+    screen.keys("v");
+    assert!(screen.text().contains("Dynamic mesh force"), "{}", screen.text());
+}
+
+#[test]
+fn zoom_keeps_the_cursor_and_fit_shows_all() {
+    for keys in ["", "x"] {
+        let mut screen = wide(80, 24, UNICODE, keys);
+        screen.keys("LLl");
+        let (at, all) = (view(&screen).cursor, view(&screen).axis().unwrap());
+        screen.keys("iii");
+        let near = view(&screen).axis().unwrap();
+        assert_eq!(view(&screen).cursor, at);
+        let hz = view(&screen).at_hz().unwrap();
+        assert!((near.fraction(hz) - all.fraction(hz)).abs() < 1e-9, "the cursor stays in its column");
+        let width = |axis: bevelscope::tui::axis::FrequencyAxis| all.fraction(axis.max) - all.fraction(axis.min);
+        assert!((width(near) - 0.125).abs() < 1e-9);
+        screen.keys("<PgUp>");
+        let panned = view(&screen).axis().unwrap();
+        assert!((all.fraction(panned.max) - all.fraction(near.min)).abs() < 1e-9, "a page back");
+        let hz = view(&screen).at_hz().unwrap();
+        assert!((panned.min..=panned.max).contains(&hz), "the cursor comes along");
+        screen.keys("<Home>");
+        assert_eq!(view(&screen).cursor, 0);
+        assert!((view(&screen).axis().unwrap().min - all.min).abs() < 1e-9, "the window follows the cursor");
+        screen.keys("oooo");
+        assert_eq!(view(&screen).axis().unwrap(), all);
+        screen.keys("iif");
+        assert_eq!(view(&screen).axis().unwrap(), all);
+        // no deeper than a few lines
+        screen.keys(&"i".repeat(60));
+        let axis = view(&screen).axis().unwrap();
+        let inside = view(&screen).lines().iter().filter(|f| (axis.min..=axis.max).contains(*f)).count();
+        assert!(inside >= 4, "{inside}");
+        // zoomed in, a column may hold no line: the cursor moves on all the same
+        let before = view(&screen).cursor;
+        assert_eq!(view(screen.keys("l")).cursor, before + 1);
+    }
+}
+
+#[test]
+fn jumps_go_through_all_bands_of_the_tolerance_and_round() {
+    let (design, rotors, lines) = subject();
+    let force = |kind| solve(kind, &design, &rotors, &lines).unwrap().mesh_force;
+    let (fe, enhanced) = (force(ModelKind::Fe), force(ModelKind::Enhanced));
+    for (keys, tolerance) in [("", 3.0), ("]]", 5.0), ("[[[[", 1.0), ("]]]]]]]]]]]]", 10.0)] {
+        let mut screen = wide(80, 24, UNICODE, keys);
+        let wanted: Vec<f64> =
+            disagreement_bands(&lines, &enhanced, &fe, tolerance).iter().map(|band| band.worst_at_hz).collect();
+        screen.keys("<Home>");
+        for place in wanted.iter().chain(&wanted[..1]) {
+            screen.keys("n");
+            assert_eq!(view(&screen).at_hz(), Some(*place), "{tolerance} dB");
+        }
+        screen.keys("N");
+        assert_eq!(view(&screen).at_hz(), wanted.last().copied());
+        assert!(screen.text().contains(&format!(">{tolerance} dB")));
+    }
+}
+
+#[test]
+fn peaks_are_listed_in_pairs_and_unpaired_ones_as_such() {
+    let mut screen = wide(120, 40, UNICODE, "a<Home>p");
+    let findings = view(&screen).findings().unwrap();
+    let places: Vec<f64> = findings.peaks.iter().map(bevelscope::tui::spectra::Labelled::place).collect();
+    assert!(places.len() > 3);
+    let alone = findings.peaks.iter().filter(|peak| peak.pair.fe_hz.is_none() || peak.pair.lumped_hz.is_none());
+    let alone = alone.count();
+    assert_eq!(screen.text().matches("unpaired").count(), alone);
+    assert_eq!(view(&screen).at_hz(), Some(places[0]));
+    screen.keys("jj");
+    assert_eq!(view(&screen).at_hz(), Some(places[2]));
+    screen.keys("P");
+    assert_eq!(view(&screen).at_hz(), Some(places[1]));
+}
+
+/// The highest mesh force of a design of few lines, as it is drawn, is that of a design of many.
+#[test]
+fn peaks_are_drawn_exact_however_coarse_the_analysis() {
+    let (mut design, ..) = subject();
+    let highest = |design: &Design| {
+        let subject = Subject::new(design.clone(), None).unwrap();
+        let mut observer = |_| std::ops::ControlFlow::Continue(());
+        let model = ModelCurves::new(&subject, ModelKind::Fe, &mut observer).unwrap();
+        let refined = model.refined(&subject, &mut observer).unwrap();
+        let top = |model: &ModelCurves| model.curves[0].drawn_db.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        assert_eq!(refined.curves[0].lines, model.curves[0].lines, "figures are of the analysis lines");
+        (top(&model), top(&refined))
+    };
+    design.analysis.frequency_lines = 200_000;
+    let (fine, _) = highest(&design);
+    design.analysis.frequency_lines = 20;
+    let (coarse, drawn) = highest(&design);
+    assert!(fine - coarse > 1.0, "{fine} {coarse}");
+    assert!((fine - drawn).abs() < 0.01, "{fine} {drawn}");
+}
+
+#[test]
+fn curves_are_switched_and_the_reduced_model_grows() {
+    let mut screen = wide(120, 40, UNICODE, "23");
+    let kinds = |screen: &Screen| view(screen).shown_kinds().collect::<Vec<_>>();
+    assert_eq!(kinds(&screen), [ModelKind::Fe]);
+    assert_eq!(kinds(screen.keys("4")), [ModelKind::Fe, ModelKind::Reduced(3)]);
+    assert_eq!(kinds(screen.keys("++-+")), [ModelKind::Fe, ModelKind::Reduced(5)]);
+    assert!(screen.text().contains("reduced:5"), "{}", screen.text());
+    screen.keys("mm");
+    assert_eq!(view(&screen).findings().unwrap().against, ModelKind::Reduced(5));
+    assert!(view(&screen).findings().unwrap().is_complete);
+    screen.keys(&"-".repeat(9));
+    assert_eq!(view(&screen).against(), ModelKind::Reduced(0));
+}
+
+/// Files that are written go to a list; the name `taken` is.
+struct Writing(Shelf, Arc<Mutex<Vec<String>>>);
+
+impl Backend for Writing {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        self.0.load(path)
+    }
+
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        self.0.compare(design, observer)
+    }
+
+    fn read(&self, path: &Path) -> Result<String, String> {
+        self.0.read(path)
+    }
+
+    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
+        if path == Path::new("taken.csv") {
+            return Err("taken.csv: there is a file of that name already".into());
+        }
+        self.1.lock().unwrap().push(text.into());
+        Ok(Path::new("/here").join(path))
+    }
+}
+
+#[test]
+fn what_is_shown_is_written_with_version_and_hash() {
+    let (design, rotors, lines) = subject();
+    let written = Arc::new(Mutex::new(Vec::new()));
+    let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Writing(Shelf::shipped(), Arc::clone(&written)));
+    screen.keys("w3iiE");
+    assert!(screen.text().contains("overhung-elastic-mesh_force.csv"), "{}", screen.text());
+    screen.keys("<Ctrl-u>taken.csv<Enter>");
+    assert_eq!(screen.app.mode, Mode::Export);
+    assert!(screen.text().contains("of that name already"), "{}", screen.text());
+    screen.keys("<Ctrl-u>free.csv<Enter>");
+    assert_eq!(screen.app.mode, Mode::Spectra);
+    assert!(screen.text().contains("written: /here/free.csv"), "{}", screen.text());
+    let texts = written.lock().unwrap();
+    let mut rows = texts[0].split("\r\n");
+    let head = rows.next().unwrap();
+    assert!(head.starts_with(&format!("# bevelscope {}", env!("CARGO_PKG_VERSION"))), "{head}");
+    assert!(head.ends_with(&format!("hash {}", design::hash(text().as_bytes()))), "{head}");
+    assert_eq!(
+        rows.next(),
+        Some("frequency_hz,fe_mesh_force_n_re,fe_mesh_force_n_im,enhanced_mesh_force_n_re,enhanced_mesh_force_n_im")
+    );
+    let force = solve(ModelKind::Fe, &design, &rotors, &lines).unwrap().mesh_force;
+    let axis = view(&screen).axis().unwrap();
+    let mut wanted = lines.iter().zip(&force).filter(|(f, _)| (axis.min..=axis.max).contains(*f));
+    for row in rows.filter(|row| !row.is_empty()) {
+        let (f, force) = wanted.next().unwrap();
+        assert!(row.starts_with(&format!("{f:?},{:?},{:?},", force.re, force.im)), "{row}");
+    }
+    assert!(wanted.next().is_none());
+}
+
+#[test]
+fn the_design_as_it_is_now_is_drawn_from_the_tables_and_the_keys_go_back() {
+    let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Shelf::shipped());
+    screen.keys("elc39<Enter>w");
+    assert_eq!(screen.app.mode, Mode::Spectra);
+    assert!(screen.text().contains("unsaved edits"), "{}", screen.text());
+    let shown = view(&screen).known.subject.as_ref().unwrap().design.clone();
+    assert_ne!(shown, subject().0);
+    assert_eq!(Some(&shown), screen.app.editors.open().unwrap().design.as_deref());
+    screen.effects.clear();
+    screen.keys("?<Esc><Esc>");
+    assert!(screen.effects.contains(&Effect::CancelSpectra));
+    assert_eq!(screen.app.mode, Mode::Table);
+    screen.keys("<Esc>w<Esc>");
+    assert_eq!(screen.app.mode, Mode::Library);
+}
+
+#[test]
+fn the_frame_comes_at_once_and_older_results_are_refused() {
+    let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Shelf::shipped());
+    screen.held = true;
+    screen.keys("w");
+    assert!(screen.text().contains("Solving"), "{}", screen.text());
+    let old = view(&screen).ticket;
+    screen.keys("]");
+    assert!(view(&screen).ticket > old);
+    screen.send(Message::Spectra { ticket: old, part: Box::new(Part::Failed(None, "too late".into())) });
+    assert!(view(&screen).failure.is_none());
+    let ticket = view(&screen).ticket;
+    screen.send(Message::Spectra { ticket, part: Box::new(Part::Failed(None, "the reason".into())) });
+    assert!(screen.text().contains("the reason"), "{}", screen.text());
+}
+
+/// Solves the basic model of nothing and the enhanced one without end.
+struct Endless(Sender<()>);
+
+impl Backend for Endless {
+    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
+        Shelf::shipped().load(path)
+    }
+
+    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
+        Shelf::shipped().compare(design, observer)
+    }
+
+    fn spectrum(
+        &self,
+        subject: &Subject,
+        kind: ModelKind,
+        observer: &mut Observer<'_>,
+    ) -> Result<ModelCurves, SolveError> {
+        if kind == ModelKind::Enhanced {
+            // nobody may be listening any more
+            let _ = self.0.send(());
+            while observer(0.5).is_continue() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            return Err(SolveError::Cancelled);
+        }
+        ModelCurves::new(subject, kind, observer)
+    }
+}
+
+#[test]
+fn the_latest_job_ends_what_is_being_solved() {
+    const LONG: Duration = Duration::from_secs(60);
+    let (begun, solving) = mpsc::channel();
+    let (sender, messages) = mpsc::channel();
+    let worker = Worker::start(Arc::new(Endless(begun)), &sender).unwrap();
+    let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Shelf::shipped());
+    screen.held = true;
+    screen.keys("w");
+    let job = |screen: &Screen| -> SpectraJob {
+        let jobs =
+            screen.effects.iter().filter_map(|effect| if let Effect::Spectra(job) = effect { Some(job) } else { None });
+        (**jobs.collect::<Vec<_>>()[0]).clone()
+    };
+    worker.spectra(job(&screen));
+    solving.recv_timeout(LONG).unwrap();
+    let mut next = job(&screen);
+    next.ticket = Ticket(next.ticket.0 + 1);
+    next.against = ModelKind::Basic;
+    next.kinds = vec![ModelKind::Fe, ModelKind::Basic];
+    worker.spectra(next.clone());
+    loop {
+        match messages.recv_timeout(LONG).unwrap() {
+            Message::Spectra { ticket, part } if ticket == next.ticket && matches!(*part, Part::Done) => break,
+            Message::Spectra { ticket, part } if ticket != next.ticket => {
+                assert!(!matches!(*part, Part::Done | Part::Failed(..)), "{part:?}");
+            }
+            _ => {}
+        }
+    }
+}
