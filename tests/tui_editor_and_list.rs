@@ -6,7 +6,7 @@ mod tui_support;
 use bevelscope::tui::editor::Editing;
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
-use bevelscope::tui::worker;
+use bevelscope::tui::solving;
 use tui_support::{Screen, Shelf, UNICODE, paths};
 
 /// The shipped designs with the tables of the first one open.
@@ -46,7 +46,7 @@ fn a_picture_from_before_a_rereading_is_not_taken_for_the_new_design() {
         _ => None,
     });
     // the file is read, but not solved yet
-    worker::perform(&job.unwrap(), &shelf, &mut |message| {
+    solving::perform(&job.unwrap(), &shelf, &mut |message| {
         if matches!(message, Message::Loaded { .. }) {
             screen.app.update(message);
         }

@@ -11,7 +11,8 @@ use std::time::Duration;
 use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::Design;
 use bevelscope::tui::message::{Effect, Message};
-use bevelscope::tui::worker::{Job, Ticket, Worker};
+use bevelscope::tui::solving::{Job, Ticket};
+use bevelscope::tui::worker::Worker;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use tui_support::{MadeUp, STEMS, Screen, UNICODE, paths};
 
@@ -112,7 +113,7 @@ fn an_older_result_never_overwrites_a_newer_one() {
     /// Reads and solves, to another limit for each ticket.
     fn deliver(screen: &mut Screen, job: &Job, limit: f64) {
         assert!(tui_support::design("overhung-elastic").analysis.frequency_max > limit);
-        bevelscope::tui::worker::perform(job, &MadeUp, &mut |mut message| {
+        bevelscope::tui::solving::perform(job, &MadeUp, &mut |mut message| {
             if let Message::Solved { result: Ok(found), .. } = &mut message {
                 found.summary.enhanced.agreement_limit_hz = limit;
             }

@@ -15,7 +15,8 @@ use bevelscope::model::Rotors;
 use bevelscope::tui::compare::CompareJob;
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
-use bevelscope::tui::worker::{EditedJob, Ticket, Worker};
+use bevelscope::tui::solving::{EditedJob, Ticket};
+use bevelscope::tui::worker::Worker;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use tui_support::{Screen, UNICODE, comparison, design, paths};
 

@@ -9,6 +9,7 @@ use super::clipboard::Route;
 use super::compare::CompareView;
 use super::conflict::Conflicts;
 use super::editor::Editors;
+use super::file_jobs::FileJob;
 use super::files::Form;
 use super::help::HelpSearch;
 use super::keymap::Mode;
@@ -20,10 +21,10 @@ use super::notice::{Messages, Notice};
 use super::overview::Overview;
 use super::palette::Palette;
 use super::recovery::Recovery;
+use super::solving::{Job, Summary, Ticket};
 use super::spectra::SpectraView;
 use super::theme::Theme;
 use super::traces::{Columns, Traces};
-use super::worker::{FileJob, Job, Summary, Ticket};
 use crate::design::library::Trashed;
 
 #[derive(Debug)]

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use super::app::{App, Scroll};
 use super::editor::{Form, Layer};
+use super::file_jobs::FileJob;
 use super::keymap::Mode;
 use super::library::Row;
 use super::message::{Effect, Ending};
 use super::recovery::Theirs;
-use super::worker::FileJob;
 use crate::design::library::OnDisk;
 use crate::design::{Changes, Document, Edit, EditName};
 

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use super::backend::{Backend, NotSaved};
 use super::message::Message;
+use super::solving::guarded;
 use super::spectra::Export;
-use super::worker::guarded;
 use crate::design::library::VariantName;
 
 /// A text to be read or written.

@@ -7,11 +7,12 @@ use ratatui::crossterm::event::KeyEvent;
 
 use super::backend::{BrokenDesign, LoadedDesign, NotSaved};
 use super::compare::{CompareJob, Compared};
+use super::file_jobs::FileJob;
 use super::files::{FileDone, FileRequest};
 use super::modes::{Answer, ModesJob};
 use super::recovery::{Kept, Look};
+use super::solving::{EditedJob, Job, Solved, Ticket};
 use super::spectra::{Part, SpectraJob};
-use super::worker::{EditedJob, FileJob, Job, Solved, Ticket};
 use crate::design::library::Left;
 
 /// Everything that can change the state comes as one of these.

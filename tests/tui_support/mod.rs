@@ -22,9 +22,10 @@ use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
 use bevelscope::tui::compare;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::modes;
+use bevelscope::tui::solving::{EditedJob, Job};
 use bevelscope::tui::spectra::{self, Part, SpectraJob};
-use bevelscope::tui::worker::{self, EditedJob, Job};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, view};
+use bevelscope::tui::{file_jobs, solving};
 use num_complex::Complex64;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -310,7 +311,7 @@ impl Screen {
                     self.perform_spectra(*job);
                 }
             }
-            if let Some(message) = file.and_then(|job| worker::perform_file(job, &*self.backend)) {
+            if let Some(message) = file.and_then(|job| file_jobs::perform_file(job, &*self.backend)) {
                 let effects = self.app.update(message);
                 self.carry_out(effects);
             }
@@ -320,7 +321,7 @@ impl Screen {
     /// What comes back for an effect that is no job.
     fn message(&self, effect: &Effect) -> Option<Message> {
         match effect {
-            Effect::ChangeFile(request) => Some(worker::change_file(request.clone(), &*self.backend)),
+            Effect::ChangeFile(request) => Some(solving::change_file(request.clone(), &*self.backend)),
             Effect::Compare(job) => {
                 let result = Box::new(compare::perform(job, &*self.backend, &|| true)?);
                 Some(Message::Compared { ticket: job.ticket, result })
@@ -334,7 +335,7 @@ impl Screen {
     /// Does one job and takes in its results.
     pub fn perform(&mut self, job: &Job) {
         let mut messages = Vec::new();
-        worker::perform(job, &*self.backend, &mut |message| messages.push(message));
+        solving::perform(job, &*self.backend, &mut |message| messages.push(message));
         for mut message in messages {
             if let Message::Solved { result: Ok(solved), .. } = &mut message {
                 // the only thing that differs from run to run
@@ -348,7 +349,7 @@ impl Screen {
     /// Solves an edited design and takes in the result.
     pub fn perform_edited(&mut self, job: &EditedJob) {
         let mut messages = Vec::new();
-        worker::perform_edited(job, &*self.backend, &mut None, &|| true, &mut |message| messages.push(message));
+        solving::perform_edited(job, &*self.backend, &mut None, &|| true, &mut |message| messages.push(message));
         for message in messages {
             let effects = self.app.update(message);
             self.carry_out(effects);

@@ -6,10 +6,10 @@ use super::{Layer, update::plural};
 use crate::text::printable;
 use crate::tui::app::App;
 use crate::tui::backend::NotSaved;
+use crate::tui::file_jobs::FileJob;
 use crate::tui::keymap::Mode;
 use crate::tui::message::{Effect, Ending};
 use crate::tui::recovery::FileState;
-use crate::tui::worker::FileJob;
 
 impl App {
     /// Saves one design, or the one in sight.

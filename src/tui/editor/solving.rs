@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::design::Design;
 use crate::tui::app::Picture;
 use crate::tui::axis::FrequencyAxis;
+use crate::tui::solving::{Summary, Ticket};
 use crate::tui::traces::{Envelope, Traces};
-use crate::tui::worker::{Summary, Ticket};
 
 /// A design that was solved.
 #[derive(Debug)]

@@ -7,9 +7,10 @@ use super::keys::{act_on_choice, act_on_findings, act_on_form, act_on_input, act
 use super::{Editing, Input, Pending, Solution};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome, Picture};
+use crate::tui::file_jobs::FileJob;
 use crate::tui::keymap::Mode;
 use crate::tui::message::Effect;
-use crate::tui::worker::{EditedJob, FileJob, Solved, Ticket};
+use crate::tui::solving::{EditedJob, Solved, Ticket};
 
 impl App {
     /// Opens the tables of the selected design.

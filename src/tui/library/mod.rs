@@ -8,8 +8,8 @@ pub use row::{Row, RowState};
 
 use unicode_width::UnicodeWidthStr;
 
+use super::solving::Ticket;
 use super::text_field::TextField;
-use super::worker::Ticket;
 use crate::design::library::{by_name, tree};
 use crate::text::printable;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::text::printable;
 use crate::tui::backend::{BrokenDesign, LoadedDesign};
-use crate::tui::worker::{Summary, Ticket};
+use crate::tui::solving::{Summary, Ticket};
 
 /// One design file.
 #[derive(Debug, Clone)]

@@ -7,7 +7,7 @@ use super::study::{DeflectionShapes, Study};
 use crate::comparison::SolveError;
 use crate::tui::backend::Backend;
 use crate::tui::message::Message;
-use crate::tui::worker::{Ticket, guarded};
+use crate::tui::solving::{Ticket, guarded};
 use crate::{design, tui};
 
 /// A request.

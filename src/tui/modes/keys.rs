@@ -8,8 +8,8 @@ use crate::tui::action::Action;
 use crate::tui::app::{App, Scroll};
 use crate::tui::keymap::Mode;
 use crate::tui::message::Effect;
+use crate::tui::solving::Ticket;
 use crate::tui::text_field::TextField;
-use crate::tui::worker::Ticket;
 
 /// A step of the frequency: the thirty-second part of an octave.
 const STEP: f64 = 1.0 / 32.0;

@@ -17,8 +17,8 @@ pub use rows::{ModeRow, Partner};
 pub use study::{DeflectionShapes, ModelStudy, Study};
 
 use super::app::Scroll;
+use super::solving::Ticket;
 use super::text_field::TextField;
-use super::worker::Ticket;
 use crate::number::significant;
 use crate::response::StationShape;
 

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use super::Kept;
 use crate::tui::backend::Backend;
 use crate::tui::message::Message;
-use crate::tui::worker::guarded;
+use crate::tui::solving::guarded;
 
 /// How long the end of the program waits for what is still to be written.
 const PATIENCE: Duration = Duration::from_millis(500);

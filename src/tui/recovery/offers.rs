@@ -8,10 +8,10 @@ use crate::design::{Changes, Edit, EditName};
 use crate::text::printable;
 use crate::tui::app::{App, Scroll};
 use crate::tui::editor::{Editing, Form, Layer};
+use crate::tui::file_jobs::FileJob;
 use crate::tui::keymap::Mode;
 use crate::tui::library::Row;
 use crate::tui::message::Effect;
-use crate::tui::worker::FileJob;
 
 /// The edits of one design.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::{FileState, Kept, Look};
 use crate::tui::app::App;
+use crate::tui::file_jobs::FileJob;
 use crate::tui::message::Effect;
-use crate::tui::worker::FileJob;
 
 impl App {
     /// Brings what is kept outside the program in line with the texts.

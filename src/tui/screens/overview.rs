@@ -148,7 +148,7 @@ fn render_rows(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn solved(row: &Row) -> Option<&crate::tui::worker::Summary> {
+fn solved(row: &Row) -> Option<&crate::tui::solving::Summary> {
     match &row.state {
         RowState::Solved(summary) => Some(summary),
         _ => None,

@@ -14,8 +14,8 @@ use crate::design;
 use crate::model::ModelKind;
 use crate::tui::backend::Backend;
 use crate::tui::message::Message;
+use crate::tui::solving::{Ticket, guarded};
 use crate::tui::widgets::findings::sentence;
-use crate::tui::worker::{Ticket, guarded};
 
 /// The shortest time between two reports of progress.
 const PROGRESS: Duration = Duration::from_millis(100);

@@ -29,7 +29,7 @@ pub use why::{Band, Findings, Labelled};
 
 use super::app::Scroll;
 use super::axis::FrequencyAxis;
-use super::worker::Ticket;
+use super::solving::Ticket;
 use crate::design::FrequencySpacing;
 use crate::model::ModelKind;
 

@@ -7,7 +7,7 @@ use crate::tui::action::Action;
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
 use crate::tui::message::Effect;
-use crate::tui::worker::Ticket;
+use crate::tui::solving::Ticket;
 
 impl App {
     /// Opens the screen on the selected design, or on the one whose tables are in sight, as it is now.

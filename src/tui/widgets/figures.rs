@@ -13,8 +13,8 @@ use crate::agreement::Agreement;
 use crate::model::Caveat;
 use crate::number::grouped;
 use crate::tui::app::{App, Outcome};
+use crate::tui::solving::Summary;
 use crate::tui::theme::Theme;
-use crate::tui::worker::Summary;
 
 /// Rows that the figures take.
 pub const HEIGHT: u16 = 2;

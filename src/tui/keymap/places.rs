@@ -1,0 +1,105 @@
+//! Sets of places in which the same key means the same.
+
+use super::Mode;
+
+pub const LISTS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Recovery,
+    Mode::Conflict,
+];
+/// Where letters move.
+pub const ROWS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
+];
+/// Where there is something to move in.
+pub const MOVING: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Filter,
+    Mode::Help,
+    Mode::HelpSearch,
+    Mode::Palette,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Choice,
+    Mode::Findings,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Recovery,
+    Mode::Conflict,
+];
+pub const PANES: &[Mode] = &[Mode::Library, Mode::Text];
+pub const LIBRARY: &[Mode] = &[Mode::Library];
+pub const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
+/// Where there are columns to move in.
+pub const COLUMNS: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Spectra];
+pub const SPECTRA: &[Mode] = &[Mode::Spectra];
+pub const TABLE: &[Mode] = &[Mode::Table];
+pub const CELL: &[Mode] = &[Mode::Cell];
+pub const FORM: &[Mode] = &[Mode::Form];
+pub const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
+/// Where letters are text.
+pub const TYPING: &[Mode] =
+    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Cell, Mode::Form];
+/// Where a filter is typed, and what it filters.
+pub const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
+pub const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
+pub const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
+/// What lies over the explorer and is closed.
+pub const VIEWS: &[Mode] =
+    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview];
+/// Those that are whole screens.
+pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
+pub const MODES: &[Mode] = &[Mode::Modes];
+pub const OVERVIEW: &[Mode] = &[Mode::Overview];
+pub const CONFIRM: &[Mode] = &[Mode::Confirm];
+pub const COMMANDS: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Help,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Modes,
+    Mode::Overview,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Findings,
+];
+pub const HELP: &[Mode] = &[Mode::Help];
+pub const ALL: &[Mode] = &Mode::ALL;
+/// Where there is a picture.
+pub const PICTURES: &[Mode] =
+    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Table, Mode::Matrix, Mode::Choice];
+pub const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
+pub const RECOVERY: &[Mode] = &[Mode::Recovery];
+pub const CONFLICT: &[Mode] = &[Mode::Conflict];
+pub const VARIANTS: &[Mode] = &[Mode::Table, Mode::Recovery, Mode::Conflict];
