@@ -8,30 +8,18 @@ use std::f64::consts::TAU;
 use bevelscope::comparison::compare;
 use bevelscope::design::{BeamTheory, BearingModel, Design, RotorDesign, Side};
 use bevelscope::model::{Model, ModelKind, RotorModel, Rotors};
-use bevelscope::response::{Compliance, EnergyShare, Modes, Spectrum, direct_spectrum, frequency_lines};
+use bevelscope::response::{Compliance, EnergyShare, Modes, Spectrum, direct_spectrum};
 use bevelscope::rotor::{MeanStates, Motion, Rotor, ShaftMatrices, Stations, Supports};
 use nalgebra::{Cholesky, DMatrix, DVector, Matrix6};
 use num_complex::Complex64;
 use proptest::prelude::*;
 use support::dense;
 use support::random::{Mounting, config, designs, designs_on};
+use support::spectra::{error_of_peak, lines};
 
 fn models(design: &Design) -> [Model; 3] {
     let rotors = Rotors::new(design).unwrap();
     ModelKind::ALL.map(|kind| Model::new(kind, design, &rotors).unwrap())
-}
-
-/// A few lines over the design's range.
-fn lines(design: &Design, count: usize) -> Vec<f64> {
-    let mut analysis = design.analysis.clone();
-    analysis.frequency_lines = count;
-    frequency_lines(&analysis)
-}
-
-/// |a - b| over the largest |b|.
-fn error_of_peak(a: &[Complex64], b: &[Complex64]) -> f64 {
-    let peak = b.iter().map(|value| value.norm()).fold(0.0, f64::max);
-    a.iter().zip(b).map(|(a, b)| (a - b).norm() / peak).fold(0.0, f64::max)
 }
 
 fn scaled(matrix: &DMatrix<f64>) -> DMatrix<f64> {

@@ -13,22 +13,12 @@ use bevelscope::rotor::Motion;
 use num_complex::Complex64;
 use proptest::prelude::*;
 use support::random::{config, designs};
+use support::spectra::{error_of_peak, lines};
 
 const ALL: ModelKind = ModelKind::Reduced(usize::MAX);
 
 fn model(kind: ModelKind, design: &Design) -> Model {
     Model::new(kind, design, &Rotors::new(design).unwrap()).unwrap()
-}
-
-fn lines(design: &Design, count: usize) -> Vec<f64> {
-    let mut analysis = design.analysis.clone();
-    analysis.frequency_lines = count;
-    frequency_lines(&analysis)
-}
-
-fn error_of_peak(a: &[Complex64], b: &[Complex64]) -> f64 {
-    let peak = b.iter().map(|value| value.norm()).fold(0.0, f64::max);
-    a.iter().zip(b).map(|(a, b)| (a - b).norm() / peak).fold(0.0, f64::max)
 }
 
 fn rms_db(a: &[Complex64], b: &[Complex64]) -> f64 {

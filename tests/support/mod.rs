@@ -13,12 +13,14 @@
 //! - [`random`]: valid designs within two decades of an automotive final drive, everything the solver distinguishes included.
 //! - [`nonsense`]: everything solved, and nothing in it infinite or not a number.
 //! - [`dense`]: the whole model in one matrix, solved without any of the program's shortcuts.
+//! - [`spectra`]: few lines, and how far two spectra are apart.
 #![allow(dead_code, reason = "each test binary uses its own part")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 pub mod dense;
 pub mod nonsense;
 pub mod random;
+pub mod spectra;
 
 use std::collections::BTreeMap;
 
