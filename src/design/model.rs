@@ -75,7 +75,7 @@ tables! {
         /// How the lines are spread.
         pub frequency_spacing: FrequencySpacing = "frequency_spacing",
             Kind::Word(FrequencySpacing::WORDS), Presence::Default(Written::Text("linear"));
-        /// `zeta_s` of shafts and bearings: a loss factor, or seconds where the damping is viscous.
+        /// Damping of shafts and bearings: a loss factor, or seconds where the damping is viscous.
         pub structural_damping: f64 = "structural_damping",
             Kind::Number(Quantity::Damping, Limit::NotNegative), Presence::Default(Written::Number(0.03));
         /// How the damping ratios act.
@@ -103,10 +103,10 @@ tables! {
     /// The tooth mesh: one averaged spring along the line of action.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Mesh as "mesh" {
-        /// Mesh stiffness `k_m`.
+        /// Mesh stiffness along the line of action.
         pub stiffness: f64 = "stiffness_n_per_m",
             Kind::Number(Quantity::Stiffness, Limit::Positive), Presence::Required;
-        /// Mesh damping `zeta_m`: a loss factor, or seconds where the damping is viscous.
+        /// Mesh damping: a loss factor, or seconds where the damping is viscous.
         pub damping: f64 = "damping", Kind::Number(Quantity::Damping, Limit::NotNegative), Presence::Required;
         /// Amplitude e of the static transmission error.
         pub transmission_error: f64 = "transmission_error_um",
