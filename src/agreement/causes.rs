@@ -161,7 +161,7 @@ impl Causes {
             .map(|mode| format!("{:.0} Hz ({})", mode.frequency_hz, mode.name))
             .collect();
         if !others.is_empty() {
-            out.push(format!("So are other modes in this band: {}.", others.join(", ")));
+            out.push(format!("Also missing in the {model} model, in this band: {}.", others.join(", ")));
         }
         for plane in self.planes.iter().filter(|plane| plane.mode_share >= LEAST_PLANE_SHARE) {
             out.extend(plane.sentence(self.model));

@@ -20,7 +20,7 @@ pub struct ModalComparison {
     pub fe: Modes,
     pub lumped_model: Model,
     pub lumped: Modes,
-    /// By [`pair_modes`], among the lowest [`COMPARED_FE_MODES`]
+    /// By [`pair_modes`], among the lowest [`COMPARED_FE_MODES`], or twice as many as the model has where that is more
     pub pairs: Vec<ModePair>,
 }
 
@@ -56,7 +56,7 @@ impl ModalComparison {
         };
         let ((fe_model, fe), (lumped_model, lumped)) = (modes(ModelKind::Fe)?, modes(kind)?);
         let enhanced = Model::new(ModelKind::Enhanced, design, rotors)?;
-        let compared = Modes(fe.0.iter().take(COMPARED_FE_MODES).cloned().collect());
+        let compared = Modes(fe.0.iter().take(COMPARED_FE_MODES.max(2 * lumped.0.len())).cloned().collect());
         let pairs = pair_modes((&lumped_model, &lumped), (&fe_model, &compared), &enhanced);
         Ok(Self { fe_model, fe, lumped_model, lumped, pairs })
     }

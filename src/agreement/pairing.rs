@@ -17,12 +17,14 @@ pub struct ModePair {
     pub mac: f64,
 }
 
-/// Pairs modes one to one, greatest MAC first, at least 0.5.
+/// Pairs modes one to one, greatest MAC first, at least 0.5. Many finite element modes look alike at the mesh (all axial ones of a shaft, say), so of
+/// MACs that are equal but for rounding the nearest in frequency comes first.
 ///
 /// Shapes are compared at the lumped coordinates, each weighted with the square root of its mass in the enhanced model, since metres and radians
 /// must not mix unweighted.
 pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Model) -> Vec<ModePair> {
     const LEAST: f64 = 0.5;
+    const EQUAL: f64 = 1e-6;
     let mac = mac_matrix(lumped, fe, enhanced);
     let mut candidates: Vec<ModePair> = Vec::new();
     for i in 0..mac.nrows() {
@@ -32,7 +34,13 @@ pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Mod
             }
         }
     }
-    candidates.sort_by(|a, b| b.mac.total_cmp(&a.mac));
+    let octaves = |pair: &ModePair| {
+        let ratio = lumped.1.0[pair.lumped].frequency_hz / fe.1.0[pair.fe].frequency_hz;
+        // the rigid rotation, at zero in both, is nearest to itself
+        if ratio.is_nan() { 0.0 } else { ratio.log2().abs() }
+    };
+    let steps = |pair: &ModePair| (pair.mac / EQUAL).round();
+    candidates.sort_by(|a, b| steps(b).total_cmp(&steps(a)).then(octaves(a).total_cmp(&octaves(b))));
     let (mut lumped_taken, mut fe_taken) = (vec![false; mac.nrows()], vec![false; mac.ncols()]);
     candidates.retain(|pair| {
         let free = !lumped_taken[pair.lumped] && !fe_taken[pair.fe];
