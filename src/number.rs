@@ -1,5 +1,7 @@
 //! Numbers for reading.
 
+pub mod ticks;
+
 /// `digits` significant digits, in powers of ten only where the plain form would be long.
 pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {

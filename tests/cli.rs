@@ -317,6 +317,13 @@ fn check_goes_on_after_a_broken_design() {
     for words in ["there is no such file", "no frequency line lies in the band 5000 to 6000 Hz"] {
         assert!(stdout(&missing).contains(words), "{}", stdout(&missing));
     }
+    // the mark below a quoted line stays below what it marks
+    let (folder, file) = folder_with("tabs.toml", elastic_text().replace("teeth = 14", "\tteth = 14"));
+    for arguments in [vec!["check", &file], vec!["inspect", &file]] {
+        let output = bevelscope(&arguments);
+        let text = [stdout(&output), stderr(&output)].concat();
+        assert!(text.contains("| \tteth = 14") && !text.contains("\\u{9}"), "{text}");
+    }
     // limits do not turn bad input into a mere 1
     let limited = bevelscope(&["check", folder.path().to_str().unwrap(), "--max-rms-db", "0"]);
     assert_eq!(limited.status.code(), Some(2));

@@ -51,6 +51,18 @@ fn the_table_fits_80_columns_and_nothing_in_it_steers_a_terminal() {
     assert!(text.contains(env!("CARGO_PKG_VERSION")));
 }
 
+/// JSON escapes C0 by itself, but neither C1 nor what turns the direction of text.
+#[test]
+fn nothing_in_the_json_steers_a_terminal() {
+    let home = tempfile::tempdir().unwrap();
+    let hostile = "x\u{9b}2J\u{202e}\u{7f}";
+    let output = doctor(home.path(), &["--format", "json"], &[("TERM", hostile)]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(!text.trim_end().contains(|c: char| c.is_control() || c == '\u{202e}'), "{text:?}");
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["terminal"]["TERM"], hostile);
+}
+
 #[test]
 fn what_was_found_out_stands_with_its_reason() {
     type Variables<'a> = &'a [(&'a str, &'a str)];

@@ -51,8 +51,13 @@ fn only_the_explorer_knows_the_terminal_libraries() {
 fn the_mechanics_touch_no_file_and_no_terminal() {
     let mechanics = ["bearing", "gear", "rotor", "model", "response", "agreement"];
     let concerned = |name: &str| mechanics.iter().any(|part| name.starts_with(&format!("{part}/")));
-    let words = ["std::fs", "std::io", "std::env", "std::process", "print!", "println!", "eprint", "std::thread"];
-    assert_absent(&words, concerned);
+    assert_absent(&["print!", "println!", "eprint"], concerned);
+    for (name, code) in sources().iter().filter(|(name, _)| concerned(name)) {
+        for module in code.split("std::").skip(1).flat_map(modules) {
+            let is_outside = ["fs", "io", "env", "process", "thread", "net"].contains(&module.as_str());
+            assert!(!is_outside, "src/{name} names std::{module}");
+        }
+    }
 }
 
 #[test]
@@ -193,13 +198,40 @@ fn modules_know_what_the_architecture_says() {
     ];
     for (name, code) in sources() {
         let Some((_, allowed)) = MAY_KNOW.iter().find(|(part, _)| name.starts_with(part)) else { continue };
-        for rest in code.split("crate::").skip(1) {
-            let module: String = rest.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect();
-            // `$crate::design` of a macro, `crate::{..}` and the like have no module name here
-            let known = module.is_empty() || allowed.contains(&module.as_str());
-            assert!(known, "src/{name} names crate::{module}");
+        for module in code.split("crate::").skip(1).flat_map(modules) {
+            assert!(allowed.contains(&module.as_str()), "src/{name} names crate::{module}");
         }
     }
+}
+
+/// What stands behind `crate::`: one name, or the first of each in braces; none in `crate::Name`.
+fn modules(rest: &str) -> Vec<String> {
+    let first =
+        |text: &str| text.trim().chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect::<String>();
+    let Some(inside) = rest.strip_prefix('{') else {
+        return [first(rest)].into_iter().filter(|m| !m.is_empty()).collect();
+    };
+    let (mut depth, mut names, mut name) = (0, Vec::new(), String::new());
+    for c in inside.chars() {
+        match c {
+            '}' if depth == 0 => break,
+            ',' if depth == 0 => names.push(std::mem::take(&mut name)),
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ if depth == 0 => name.push(c),
+            _ => {}
+        }
+    }
+    names.push(name);
+    names.iter().map(|name| first(name)).filter(|name| !name.is_empty()).collect()
+}
+
+#[test]
+fn modules_in_braces_are_seen() {
+    assert_eq!(modules("{design, tui::keys};"), ["design", "tui"]);
+    assert_eq!(modules("{log::{a, b}, moment, Name};\nuse x"), ["log", "moment"]);
+    assert_eq!(modules("text::printable;"), ["text"]);
+    assert!(modules("Name;").is_empty());
 }
 
 /// Files that the documentation sends its readers to.

@@ -220,9 +220,8 @@ proptest! {
             vectors.line_of_action = vectors.line_of_action.map(|component| -component);
         }
         for side in Side::BOTH {
-            if let (Ok(one), Ok(other)) = (Rotor::new(&design, side), Rotor::new(&negative, side)) {
-                prop_assert_eq!(&one.mean_states.bearings, &other.mean_states.bearings);
-            }
+            let [one, other] = [&design, &negative].map(|design| Rotor::new(design, side).map(|rotor| rotor.mean_states.bearings));
+            prop_assert_eq!(one, other);
             if let Ok(rotor) = Rotor::new(&coast, side) {
                 let (off, most) = imbalance(&rotor);
                 prop_assert!(off <= 1e-9 * most, "{off:e} of {most:e}");

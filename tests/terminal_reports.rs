@@ -121,6 +121,7 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     let text = std::fs::read_to_string(Path::new(DESIGNS).join("overhung-elastic.toml")).unwrap();
     std::fs::write(designs.join("a.toml"), &text).unwrap();
     std::fs::write(designs.join("b\u{1b}[31m.toml"), "no design").unwrap();
+    std::fs::write(designs.join("c.toml"), format!("parent = \"a\"\n{text}")).unwrap();
     let log = home.path().join("log");
     std::fs::write(&log, "before\n").unwrap();
     let (named, shown) = (log.display().to_string(), designs.display().to_string());
@@ -134,6 +135,11 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     terminal.wait_for_text("a * ");
     terminal.press("s");
     terminal.wait_for("the design to be saved", |screen| !screen.contents().contains("a * "));
+    // a variant follows
+    terminal.press("\x1b");
+    terminal.wait_for_text("Designs 1 of 3");
+    terminal.press("r2\r");
+    terminal.wait_for_text("1 variant follows");
     terminal.signal("TERM");
     assert_eq!(terminal.wait(LONG).exit_code(), 128 + 15);
     let log = std::fs::read_to_string(log).unwrap();
@@ -148,6 +154,7 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
         "b\\u{1b}[31m.toml: ",
         "opened ",
         "saved ",
+        "a2.toml, 1 of 1 variants follow",
         "signal 15",
         "end: bevelscope: ended by signal 15",
     ] {

@@ -9,6 +9,7 @@ use std::sync::{Mutex, PoisonError, mpsc};
 use super::{CommandError, Format, Status, input};
 use crate::agreement::{highest_peak, reduced_modes_for};
 use crate::comparison;
+use crate::crash;
 use crate::design::{self, LoadError, library};
 use crate::model::Rotors;
 use crate::number::grouped;
@@ -151,7 +152,7 @@ fn checked_in_parallel(designs: Vec<Result<PathBuf, Row>>, args: &Args) -> Vec<R
 
 /// A design that makes the program fail is a row like any other that cannot be solved.
 fn guarded(file: &Path, args: &Args) -> Row {
-    catch_unwind(AssertUnwindSafe(|| checked(file, args)))
+    catch_unwind(AssertUnwindSafe(|| crash::caught(|| checked(file, args))))
         .unwrap_or_else(|_| Row::failed(file, "the program failed on this design".into()))
 }
 
@@ -244,11 +245,13 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
             continue;
         }
         writeln!(out)?;
-        if !text.starts_with(printable(file).as_ref()) {
+        if !text.starts_with(&format!("{}:", printable(file))) {
             write!(out, "{}: ", printable(file))?;
         }
         for line in text.trim_end().lines() {
-            writeln!(out, "{}", printable(line))?;
+            // tabs keep the marks of a finding below what they mark
+            let parts: Vec<_> = line.split('\t').map(printable).collect();
+            writeln!(out, "{}", parts.join("\t"))?;
         }
     }
     Ok(())

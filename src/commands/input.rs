@@ -34,7 +34,7 @@ pub fn mean_state_warnings(loaded: &Loaded, rotors: &Rotors) -> String {
         rotors.get(side).mean_states.warnings().map(move |(place, warning)| {
             let (file, rotor, bearing) =
                 (printable(&loaded.name), side.name(), &loaded.design.rotor(side).bearings[place]);
-            let name = bearing.name.escape_debug();
+            let name = printable(&bearing.name);
             format!("{file}: warning: {rotor}.bearing[{place}]: \"{name}\" in its mean state: {warning}\n")
         })
     };

@@ -18,7 +18,7 @@ const CLOSE: f64 = 1e-8;
 
 /// Lines (Hz, ascending) on the maxima and minima of the mesh force strictly inside `range` (Hz), and six on the flanks of each.
 ///
-/// `modes` are all modes with the mesh, `uncoupled` those of both rotors without, `compliance` their sum. There are at most 14 extrema a mode with
+/// `modes` are all modes with the mesh, `uncoupled` those of both rotors without, `compliance` their sum. There are at most 13 extrema a mode with
 /// or without mesh in the range, in practice about one.
 pub fn refined_lines(
     model: &Model,

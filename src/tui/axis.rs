@@ -1,6 +1,6 @@
-//! Axes: where a value lies, and where the round numbers are.
+//! The frequency axis: where a value lies, and where the round ones are.
 
-use crate::number::grouped;
+use crate::number::ticks::{Scale, Tick, ticks};
 
 /// The frequency axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,57 +34,12 @@ impl FrequencyAxis {
         if columns == 0 || !self.fraction(self.max).is_finite() {
             return Vec::new();
         }
-        let candidates: Vec<Vec<f64>> = if self.log {
-            [&[1.0, 2.0, 5.0][..], &[1.0, 3.0], &[1.0]].into_iter().map(|steps| self.log_ticks(steps)).collect()
-        } else {
-            let densest = round_step((self.max - self.min) / (columns as f64 / 4.0));
-            [1.0, 2.0, 5.0, 10.0, 20.0]
-                .into_iter()
-                .map(|factor| multiples(self.min, self.max, round_step(densest * factor)))
-                .collect()
-        };
-        let place = |values: &[f64]| -> Vec<(usize, String)> {
-            values
-                .iter()
-                .map(|&value| (((self.fraction(value) * columns as f64) as usize).min(columns - 1), label(value)))
-                .collect()
-        };
-        let apart =
-            |ticks: &[(usize, String)]| ticks.windows(2).all(|pair| pair[0].0 + pair[0].1.len() + 2 <= pair[1].0);
-        candidates.iter().map(|values| place(values)).find(|ticks| apart(ticks)).unwrap_or_default()
+        let column = |value: f64| ((self.fraction(value) * columns as f64) as usize).min(columns - 1);
+        let apart = |pair: &[Tick]| column(pair[0].0) + pair[0].1.len() + 2 <= column(pair[1].0);
+        let scale = Scale { low: self.min, high: self.max, log: self.log };
+        let found = ticks(scale, columns as f64 / 4.0, |ticks| ticks.windows(2).all(apart));
+        found.into_iter().map(|(value, label)| (column(value), label)).collect()
     }
-
-    fn log_ticks(&self, steps: &[f64]) -> Vec<f64> {
-        let decades = self.min.log10().floor() as i32..=self.max.log10().floor() as i32;
-        decades
-            .flat_map(|decade| steps.iter().map(move |step| step * 10_f64.powi(decade)))
-            .filter(|value| (self.min..=self.max).contains(value))
-            .collect()
-    }
-}
-
-/// The next round number (1, 2 or 5 times a power of ten) that is not below `step`.
-pub fn round_step(step: f64) -> f64 {
-    if !(step.is_finite() && step > 0.0) {
-        return 1.0;
-    }
-    let power = 10_f64.powf(step.log10().floor());
-    let mantissa = step / power * (1.0 - 1e-9);
-    [1.0, 2.0, 5.0].into_iter().find(|&round| mantissa <= round).unwrap_or(10.0) * power
-}
-
-/// The multiples of `step` from `low` to `high`.
-pub fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
-    let first = (low / step - 1e-9).ceil();
-    let count = ((high - first * step) / step + 1e-9).floor();
-    if !(0.0..1000.0).contains(&count) {
-        return Vec::new();
-    }
-    (0..=count as usize).map(|at| (first + at as f64) * step).collect()
-}
-
-fn label(value: f64) -> String {
-    if value >= 10.0 || (value - value.round()).abs() < 1e-9 { grouped(value) } else { format!("{value}") }
 }
 
 #[cfg(test)]
@@ -106,6 +61,15 @@ mod tests {
         let log = FrequencyAxis { log: true, ..linear };
         assert_eq!(labels(log, 80), ["10", "20", "50", "100", "200", "500", "1,000", "2,000", "5,000"]);
         assert_eq!(labels(log, 20), ["10", "100", "1,000"]);
+        // within a decade, and between two frequencies of many digits
+        assert_eq!(
+            labels(FrequencyAxis { min: 1990.0, max: 2030.0, log: true }, 40),
+            ["1,990", "2,000", "2,010", "2,020", "2,030"]
+        );
+        assert_eq!(
+            labels(FrequencyAxis { min: 2005.0, max: 2005.02, log: false }, 40),
+            ["2005.00", "2005.01", "2005.02"]
+        );
         assert_eq!(labels(linear, 0), [""; 0]);
     }
 
@@ -117,12 +81,5 @@ mod tests {
                 assert!((axis.fraction(axis.frequency(fraction)) - fraction).abs() < 1e-12);
             }
         }
-    }
-
-    #[test]
-    fn steps_are_round() {
-        let steps: Vec<_> = [0.7, 1.0, 3.0, 6.0, 45.0].into_iter().map(round_step).collect();
-        assert_eq!(steps, [1.0, 1.0, 5.0, 10.0, 50.0]);
-        assert_eq!(multiples(-12.0, 25.0, 10.0), [-10.0, 0.0, 10.0, 20.0]);
     }
 }

@@ -1,5 +1,6 @@
 //! What comes in, as lines of the log: paths, names and durations, nothing of what a design says.
 
+use super::files::FileDone;
 use super::message::Message;
 use crate::log;
 
@@ -56,7 +57,7 @@ fn line(message: &Message) -> Option<String> {
         Message::NotTidied(error) => format!("cannot put away edits that nobody needs: {error}"),
         Message::Listed(Err(error)) => format!("cannot list the designs: {error}"),
         Message::FileChanged { request, result } => match result {
-            Ok(done) => format!("{done:?}"),
+            Ok(done) => changed(done),
             Err(error) => format!("failed: {request:?}: {error}"),
         },
         Message::Compared { result, .. } => match &result.differences {
@@ -73,4 +74,16 @@ fn line(message: &Message) -> Option<String> {
         Message::TerminalGone => "the terminal is gone".into(),
     };
     Some(line)
+}
+
+fn changed(done: &FileDone) -> String {
+    match done {
+        FileDone::Renamed { from, to, variants } => {
+            let follow = variants.iter().filter(|variant| variant.result.is_ok()).count();
+            format!("renamed {} to {}, {follow} of {} variants follow", from.display(), to.display(), variants.len())
+        }
+        FileDone::Duplicated { from, to } => format!("copied {} to {}", from.display(), to.display()),
+        FileDone::Deleted { path, .. } => format!("deleted {}", path.display()),
+        FileDone::Restored { path } => format!("{} is back", path.display()),
+    }
 }

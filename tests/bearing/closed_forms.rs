@@ -57,16 +57,14 @@ fn a_ball_bearing_under_pure_thrust() {
 #[test]
 fn many_elements_under_pure_radial_load() {
     const MANY: usize = 4000;
-    let dx = 1e-5_f64;
-    for (bearing, n, jr) in [
-        (ball(MANY, 0.0, 1e7, 0.03, 4.5e-4), 1.5, 0.228_828),
-        (roller(MANY, 0.0, 1e6, 0.03, 0.0), 10.0 / 9.0, 0.244_799),
+    // a ball's own terms across the contact are delta/A0, and drop out for a small one
+    for (bearing, n, jr, dx, tolerance) in [
+        (ball(MANY, 0.0, 1e7, 0.03, 4.5e-4), 1.5, 0.228_828, 1e-9_f64, 1e-5),
+        (roller(MANY, 0.0, 1e6, 0.03, 0.0), 10.0 / 9.0, 0.244_799, 1e-5, 1e-5),
     ] {
         let state = bearing.state(&Vector::new(dx, 0.0, 0.0, 0.0, 0.0));
         let kn = state.contacts[0].load / state.contacts[0].deflection.powf(n);
         let fr = MANY as f64 * kn * dx.powf(n) * jr;
-        // a ball's own terms across the contact are delta/A0, 2 %, and drop out of Fr/dx and n Fr/dx to second order only for rollers
-        let tolerance = if n == 1.5 { 4e-2 } else { 1e-5 };
         assert!((state.load[0] / fr - 1.0).abs() < tolerance, "{} {fr}", state.load[0]);
         // delta^(1/9) ends steeply: the sum over elements is that far from the integral
         let tolerance = tolerance.max(1e-3);
@@ -95,7 +93,7 @@ fn bearings_of_an_automotive_axle_under_preload() {
             {
                 assert!((found / expected - 1.0).abs() < 5e-5, "{found:e} {expected:e}");
             }
-            assert!((state.displacement[2] / dz - 1.0).abs() < 5e-4, "{}", state.displacement[2]);
+            assert!((state.displacement[2] - dz).abs() <= 0.51e-8, "{}", state.displacement[2]);
         }
     }
     let geometry = BallGeometry {
@@ -115,15 +113,17 @@ fn bearings_of_an_automotive_axle_under_preload() {
     let bearing = ball(12, 40.0, kn, geometry.radius(), geometry.groove_distance());
     let state = equilibrium(&bearing, &Vector::new(0.0, 0.0, 1000.0, 0.0, 0.0), &held).unwrap();
     let k = &state.stiffness;
-    for (found, expected) in [
-        (k[(0, 0)], 1.2899e8),
-        (k[(2, 2)], 1.9272e8),
-        (k[(4, 4)], 6.9834e4),
-        (k[(0, 4)], -2.9549e6),
-        (state.displacement[2], 7.925e-6),
-        (state.contacts[3].load, 127.6),
-        (state.contacts[3].angle * 180.0 / PI, 40.77),
+    // to half of the last digit that is given
+    for (found, expected, last) in [
+        (k[(0, 0)], 1.2899e8, 1e4),
+        (k[(2, 2)], 1.9272e8, 1e4),
+        (k[(4, 4)], 6.9834e4, 1.0),
+        (k[(0, 4)], -2.9549e6, 1e2),
+        (state.displacement[2], 7.925e-6, 1e-9),
+        (state.contacts[3].load, 127.6, 0.1),
+        (state.contacts[3].angle * 180.0 / PI, 40.77, 0.01),
     ] {
-        assert!((found / expected - 1.0).abs() < 4e-4, "{found:e} {expected:e}");
+        let off: f64 = found - expected;
+        assert!(off.abs() <= 0.51 * last, "{found:e} {expected:e}");
     }
 }

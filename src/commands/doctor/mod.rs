@@ -9,6 +9,7 @@ use serde_json::{Map, Value};
 
 use super::keys::KeysArg;
 use super::{CommandError, Format, Status};
+use crate::report::json;
 use crate::text::{printable, wrap};
 use crate::tui::facts;
 
@@ -97,7 +98,6 @@ fn write_json(sections: &[Section], out: &mut impl Write) -> Result<(), CommandE
         (key(section.title), Value::Object(rows))
     };
     let all = Value::Object(sections.iter().map(of).collect());
-    serde_json::to_writer_pretty(&mut *out, &all).map_err(std::io::Error::from)?;
-    writeln!(out)?;
+    json::write(out, &all)?;
     Ok(())
 }

@@ -1,8 +1,7 @@
 //! Where a value lies in a picture, and where the round values are.
 
-use crate::number::grouped;
-
 use super::text_width;
+use crate::number::ticks::{Scale, Tick, ticks};
 
 /// An axis from one place of the picture to another, linear or logarithmic.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,55 +28,14 @@ impl Axis {
     }
 
     /// Round values with their labels, which do not touch along a line of text.
-    pub fn ticks(&self) -> Vec<(f64, String)> {
-        const STEPS: [&[f64]; 3] = [&[1.0, 2.0, 5.0], &[1.0, 3.0], &[1.0]];
-        let apart = |ticks: &[(f64, String)]| {
-            let wide = |pair: &[(f64, String)]| f64::midpoint(text_width(&pair[0].1), text_width(&pair[1].1));
-            ticks.windows(2).all(|pair| (self.at(pair[1].0) - self.at(pair[0].0)).abs() >= wide(pair) + 10.0)
+    pub fn ticks(&self) -> Vec<Tick> {
+        let apart = |pair: &[Tick]| {
+            let wide = f64::midpoint(text_width(&pair[0].1), text_width(&pair[1].1));
+            (self.at(pair[1].0) - self.at(pair[0].0)).abs() >= wide + 10.0
         };
-        let powers = STEPS.into_iter().map(|steps| self.powers(steps)).find(|ticks| ticks.len() > 2 && apart(ticks));
-        if let Some(ticks) = powers.filter(|_| self.log) {
-            return ticks;
-        }
-        let densest = round_step((self.high - self.low) / ((self.to - self.from).abs() / 30.0));
-        let steps = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0].map(|factor| round_step(densest * factor));
-        steps.into_iter().map(|step| self.multiples(step)).find(|ticks| apart(ticks)).unwrap_or_default()
+        let scale = Scale { low: self.low, high: self.high, log: self.log };
+        ticks(scale, (self.to - self.from).abs() / 30.0, |ticks| ticks.windows(2).all(apart))
     }
-
-    fn powers(&self, steps: &[f64]) -> Vec<(f64, String)> {
-        let decade = |value: f64| value.max(f64::MIN_POSITIVE).log10().floor() as i32;
-        let decades = decade(self.low)..=decade(self.high);
-        let values = decades.flat_map(|decade| steps.iter().map(move |step| step * 10_f64.powi(decade)));
-        let inside = values.filter(|value| (self.low..=self.high).contains(value));
-        inside.map(|value| (value, label(value, value))).collect()
-    }
-
-    fn multiples(&self, step: f64) -> Vec<(f64, String)> {
-        let first = (self.low / step - 1e-9).ceil();
-        let count = ((self.high - first * step) / step + 1e-9).floor();
-        if !(0.0..1000.0).contains(&count) {
-            return Vec::new();
-        }
-        let value = |i: usize| (first + i as f64) * step;
-        (0..=count as usize).map(value).map(|value| (value, label(value, step))).collect()
-    }
-}
-
-/// The next round number (1, 2 or 5 times a power of ten) that is not below `step`.
-pub fn round_step(step: f64) -> f64 {
-    if !(step.is_finite() && step > 0.0) {
-        return 1.0;
-    }
-    let power = 10_f64.powf(step.log10().floor());
-    let mantissa = step / power * (1.0 - 1e-9);
-    [1.0, 2.0, 5.0].into_iter().find(|&round| mantissa <= round).unwrap_or(10.0) * power
-}
-
-/// As many decimals as the step has.
-fn label(value: f64, step: f64) -> String {
-    const MOST_DECIMALS: f64 = 12.0;
-    let decimals = (-step.log10().floor()).clamp(0.0, MOST_DECIMALS) as usize;
-    if decimals == 0 { grouped(value) } else { format!("{:.decimals$}", value + 0.0) }
 }
 
 #[cfg(test)]

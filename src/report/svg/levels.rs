@@ -1,10 +1,11 @@
 //! Sixth-octave levels of the three models as steps over a logarithmic axis.
 
-use super::axis::{Axis, round_step};
+use super::axis::Axis;
 use super::frame::{Frame, MODELS, legend};
 use super::{Anchor, Drawing, Picture, WIDTH};
 use crate::agreement::Tolerance;
 use crate::design::Design;
+use crate::number::ticks::round_step;
 use crate::report::study::{Levels, Study};
 
 const LEFT: f64 = 58.0;

@@ -1,8 +1,8 @@
 //! Both shafts from the side, to one scale. A body is drawn as the cylinder that has its mass and inertias.
 
-use super::axis::round_step;
 use super::{Anchor, Drawing, Picture, WIDTH, text_width};
 use crate::design::{BearingModel, Body, Design, RotorDesign, Side};
+use crate::number::ticks::round_step;
 use crate::text::cut;
 
 const LEFT: f64 = 64.0;

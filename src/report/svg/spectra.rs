@@ -1,12 +1,13 @@
 //! The mesh force of the three models over one another, the bands in which they disagree, and the difference below.
 
-use super::axis::{Axis, round_step};
+use super::axis::Axis;
 use super::curve::places;
 use super::frame::{Frame, MODELS, legend};
 use super::{Anchor, Drawing, Picture, WIDTH, text_width};
 use crate::agreement::{Agreement, Causes, Tolerance};
 use crate::design::{Design, FrequencySpacing};
 use crate::number::grouped;
+use crate::number::ticks::round_step;
 use crate::report::study::{Study, widest_difference_db};
 
 const LEFT: f64 = 58.0;

@@ -21,8 +21,9 @@ use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
 use super::plot::{AXIS_ROWS, GUTTER, Range, curve_width, draw_curve};
 use crate::number::grouped;
+use crate::number::ticks::multiples;
 use crate::tui::app::Picture;
-use crate::tui::axis::{FrequencyAxis, multiples};
+use crate::tui::axis::FrequencyAxis;
 use crate::tui::theme::Theme;
 use crate::tui::traces::{Columns, Envelope, TOLERANCE_DB};
 
