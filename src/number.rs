@@ -22,8 +22,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// Whole number with a comma between thousands: 2,997.
+/// Whole number with a comma between thousands: 2,997; two digits of what is below 10: 7.9.
 pub fn grouped(value: f64) -> String {
+    if value.abs() < 9.95 && value != value.round() {
+        return significant(value, 2);
+    }
     if !value.is_finite() || value.abs() >= 1e15 {
         return significant(value, 4);
     }
@@ -64,7 +67,9 @@ mod tests {
     fn thousands_are_grouped() {
         for (value, expected) in [
             (0.0, "0"),
-            (-0.2, "0"),
+            (-0.2, "-0.20"),
+            (7.943, "7.9"),
+            (9.97, "10"),
             (999.4, "999"),
             (2996.6, "2,997"),
             (-1_234_567.0, "-1,234,567"),

@@ -293,10 +293,11 @@ fn bearings_by_preload_are_those_of_the_bearing_alone() {
     let expected = frames::stiffness_to_station(&rolling.state.stiffness);
     assert_eq!(rotors.pinion.supports.bearings[0].stiffness, expected);
     // thrust the wrong way
-    roller.preload = Some(Preload { x: 0.0, y: -5000.0, z: 0.0 });
+    roller.preload = Some(Preload { x: 300.0, y: -5000.0, z: -200.0 });
     design.pinion.bearings[0].model = BearingModel::Roller(roller);
     let error = Rotors::new(&design).unwrap_err().to_string();
     assert!(error.starts_with("pinion shaft: bearing \"bearing at 0.055\": UNSUPPORTED_LOAD: "), "{error}");
+    assert!(error.contains(" 3.0000e2, -5.0000e3 and -2.0000e2 N in x, y and z "), "{error}");
 }
 
 #[test]

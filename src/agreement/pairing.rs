@@ -55,7 +55,7 @@ pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Mod
 }
 
 /// Modal assurance criterion of every lumped mode (row) with every finite element mode (column), at the lumped coordinates, weighted as
-/// in [`pair_modes`].
+/// in [`pair_modes`]; 0 where one of them does not move there.
 pub fn mac_matrix(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Model) -> DMatrix<f64> {
     let weights: Vec<f64> = enhanced.rotors().iter().flat_map(|rotor| weights(rotor)).collect();
     let shapes = |(model, modes): (&Model, &Modes)| -> Vec<DVector<f64>> {
@@ -67,7 +67,11 @@ pub fn mac_matrix(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Mod
         modes.0.iter().map(|mode| pick(&mode.shape)).collect()
     };
     let (lumped, fe) = (shapes(lumped), shapes(fe));
-    let mac = |a: &DVector<f64>, b: &DVector<f64>| a.dot(b).powi(2) / (a.norm_squared() * b.norm_squared());
+    let mac = |a: &DVector<f64>, b: &DVector<f64>| {
+        let (a_size, b_size) = (a.norm(), b.norm());
+        // what hardly moves there has no shape but that of rounding errors; 1 is all of a lumped mode
+        if a_size.min(b_size) < 1e-9 { 0.0 } else { (a.dot(b) / (a_size * b_size)).powi(2) }
+    };
     DMatrix::from_fn(lumped.len(), fe.len(), |i, j| mac(&lumped[i], &fe[j]))
 }
 

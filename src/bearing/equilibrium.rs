@@ -12,11 +12,15 @@ pub type Held = [Option<f64>; 5];
 pub enum EquilibriumError {
     #[error("NO_CONTACT: no rolling element is in contact; give a preload or a load that closes the clearance")]
     NoContact,
+    /// Told in the axes of the shaft, x, y and z.
     #[error(
-        "UNSUPPORTED_LOAD: nothing in the bearing can balance radial loads of {:.4e} and {:.4e} N with an axial load of {:.4e} N and moments \
-         of {:.4e} and {:.4e} N m", load[0], load[1], load[2], load[3], load[4]
+        "UNSUPPORTED_LOAD: the bearing cannot balance {:.4e}, {:.4e} and {:.4e} N in x, y and z (y along the shaft) with {:.4e} and {:.4e} N m \
+         about x and z within sensible displacements", .load[1], .load[2], .load[0], .load[4], .load[3]
     )]
-    UnsupportedLoad { load: Vector },
+    UnsupportedLoad {
+        /// In the bearing's axes
+        load: Vector,
+    },
     #[error("NO_CONVERGENCE: no equilibrium was found; the loads are balanced to {residual:.1e} of their size only")]
     NoConvergence { residual: f64 },
 }

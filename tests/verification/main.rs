@@ -11,4 +11,5 @@ mod overhung_beam;
 mod pinned_beam;
 mod refusals;
 mod torsional_train;
+mod turbine_generator;
 mod two_disc_rotor;
