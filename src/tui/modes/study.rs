@@ -158,7 +158,7 @@ impl ModelStudy {
         let mut done = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
         let model = Model::new_over(kind, design, rotors, &mut done).map_err(|error| match error {
             ModelError::Cancelled => SolveError::Cancelled,
-            error => error.into(),
+            error @ ModelError::IllConditioned(_) => error.into(),
         })?;
         if done(0.0).is_break() {
             return Err(SolveError::Cancelled);

@@ -55,7 +55,7 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     if let Some(chosen) = app.overview_rows().get(cursor) {
         render_picture(chosen, &theme, (body, Rect { y: table.bottom(), height: picture, ..inner }), buffer);
         render_chosen(chosen, &theme, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
-        panel::bottom(body, buffer, &bottom(chosen, &scale, &theme), app.mode == Mode::Overview, &theme);
+        panel::bottom(body, buffer, &bottom(chosen, &scale, &theme, inner.width), app.mode == Mode::Overview, &theme);
     }
     footer::render(app, row(area.height - 1, 1), buffer)
 }
@@ -77,7 +77,7 @@ fn title(app: &App) -> Title<'static> {
 }
 
 /// What the lines of shades mean, and what the marks of the chosen design say.
-fn bottom(chosen: &Row, scale: &Scale, theme: &Theme) -> Title<'static> {
+fn bottom(chosen: &Row, scale: &Scale, theme: &Theme, width: u16) -> Title<'static> {
     let Some(top) = scale.top else { return Title::default() };
     let levels = format!("{:.0} to {top:.0} dB re 1 N", top - SPAN_DB);
     let over = match scale.band {
@@ -92,12 +92,15 @@ fn bottom(chosen: &Row, scale: &Scale, theme: &Theme) -> Title<'static> {
     if is_warned(chosen) {
         marks.push(format!("! {}", warnings(chosen).join("; ")));
     }
-    let dot = theme.glyphs.separator;
-    let marked = marks.iter().map(|mark| format!(" {dot} {mark}")).collect::<String>();
-    let short: String = marks.join("; ");
+    let mut left = Vec::new();
     // the marks explain what stands in the row; the scale is the same for all
-    let marked = if marks.is_empty() { vec![long.clone()] } else { vec![long.clone() + &marked, short] };
-    Title { left: marked.into_iter().chain([long.clone(), levels]).collect(), right: Vec::new() }
+    if !marks.is_empty() {
+        let marks = marks.join("; ");
+        left.extend([format!("{long} {} {marks}", theme.glyphs.separator), marks]);
+    } else if design_table::has_spectra(width) {
+        left.extend([long, levels]);
+    }
+    Title { left, right: Vec::new() }
 }
 
 fn warnings(row: &Row) -> Vec<String> {

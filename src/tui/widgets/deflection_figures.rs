@@ -20,13 +20,16 @@ use crate::tui::theme::Theme;
 const LABEL: usize = 22;
 const MODEL: usize = 12;
 
+/// What stands in a cell.
+type Shown<'a> = dyn Fn(ModelKind, &Deflection) -> String + 'a;
+
 /// Draws a row a quantity; of two rows the second one is the force, of more the others are what moves.
 pub fn render(study: &Study, found: &DeflectionShapes, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let kinds = study.small().map(|small| small.own.kind());
     let models: Vec<(ModelKind, &Deflection)> =
         std::iter::once((ModelKind::Fe, &found.fe)).chain(kinds.zip(&found.small)).collect();
     let at = format!("at {} Hz", significant(found.at_hz, 5));
-    let lines: [(&str, &dyn Fn(ModelKind, &Deflection) -> String); 4] = [
+    let lines: [(&str, &Shown); 4] = [
         (&at, &|kind, _| legend_name(kind)),
         ("mesh force, N", &|_, one| significant(one.force.norm(), 4)),
         ("largest motion, m", &|_, one| significant(largest(one, 0..3), 3)),

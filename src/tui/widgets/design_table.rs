@@ -64,6 +64,11 @@ pub fn is_warned(row: &Row) -> bool {
     row.loaded.as_ref().is_some_and(|loaded| !loaded.warnings.is_empty())
 }
 
+/// Whether a table of this width has spectra in it.
+pub fn has_spectra(width: u16) -> bool {
+    Widths::new(usize::from(width), LEAST_NAME).sparks > 0
+}
+
 /// Draws heading and rows; the scroll follows the cursor already.
 pub fn render(app: &App, cursor: usize, scale: &Scale, area: Rect, buffer: &mut Buffer) {
     let theme = &app.theme;
@@ -117,13 +122,13 @@ impl Widths {
         }
         let taken: usize = figures.iter().map(|column| column.width()).sum();
         let left = all.saturating_sub(1 + taken);
+        if left <= LEAST_NAME + LEAST_SPARKS {
+            return Self { name: left, sparks: 0, figures, all };
+        }
         // names give way to the spectrum down to three fifths
-        let most = (left * 3 / 5).max(LEAST_NAME);
+        let most = (left * 3 / 5).clamp(LEAST_NAME, left - 1 - LEAST_SPARKS);
         let name = longest_name.clamp(LEAST_NAME, most);
-        let sparks = left.saturating_sub(name + 1);
-        let sparks = if sparks >= LEAST_SPARKS { sparks } else { 0 };
-        let name = if sparks > 0 { name } else { left };
-        Self { name, sparks, figures, all }
+        Self { name, sparks: left - name - 1, figures, all }
     }
 
     fn line(&self, name: &str, sparks: &str, figures: impl Iterator<Item = String>) -> String {

@@ -19,6 +19,9 @@ use crate::tui::theme::Theme;
 /// Columns that are taken.
 pub const WIDTH: u16 = 22;
 
+/// One motion of a shape.
+type Value<'a> = dyn Fn(&StationShape<f64>) -> f64 + 'a;
+
 /// Draws the motions at the mesh, and the drive's: parts of the largest displacement and of the largest rotation about an axis.
 pub fn render(
     (side, rotor): (Side, &RotorDesign),
@@ -29,7 +32,7 @@ pub fn render(
     buffer: &mut Buffer,
 ) {
     let [across, about] = largest;
-    let motions: [(&str, f64, &dyn Fn(&StationShape<f64>) -> f64); 3] = [
+    let motions: [(&str, f64, &Value); 3] = [
         ("axial", across, &|shape| at_mesh(shape, rotor, 1)),
         ("torsion", about, &|shape| at_mesh(shape, rotor, 4)),
         ("drive", about, &|shape| shape.drive.unwrap_or_default()),
@@ -38,15 +41,15 @@ pub fn render(
     let has_head = usize::from(area.height) > count;
     let mut lines = Vec::new();
     if has_head {
-        let heads: String = shapes.iter().map(|(of, _)| format!("{:>6}", short(*of))).collect();
-        lines.push((format!(" {:<8}{heads}", side.name()), theme.title));
+        let heads: Vec<String> = shapes.iter().map(|(of, _)| format!("{:>6}", short(*of))).collect();
+        lines.push((format!(" {:<8}{}", side.name(), heads.concat()), theme.title));
     }
     for (at, (name, whole, value)) in motions.into_iter().take(count).enumerate() {
-        let values: String = shapes.iter().map(|(_, shape)| part(value(shape), whole)).collect();
+        let values: Vec<String> = shapes.iter().map(|(_, shape)| part(value(shape), whole)).collect();
         // without a head the shaft's first letter stands before its first line
         let initial = if has_head { "" } else { side.name().get(..1).filter(|_| at == 0).unwrap_or(" ") };
         let name = if has_head { format!(" {name:<8}") } else { format!("{initial} {name:<7}") };
-        lines.push((name + &values, Style::new()));
+        lines.push((name + &values.concat(), Style::new()));
     }
     for ((text, style), y) in lines.into_iter().zip(area.top()..area.bottom()) {
         buffer.set_stringn(area.x, y, text, usize::from(WIDTH), style);
