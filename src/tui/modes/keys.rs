@@ -44,6 +44,9 @@ impl App {
             }
             (Action::MoreModes, Mode::Modes) => return Some(self.reduce(1)),
             (Action::FewerModes, Mode::Modes) => return Some(self.reduce(-1)),
+            // nothing to look at yet
+            (Action::OtherModel | Action::ShowMac | Action::NextPhase, Mode::Modes)
+                if self.modes.as_ref()?.study().is_none() => {}
             (Action::OtherModel, Mode::Modes) => {
                 let view = self.modes.as_mut()?;
                 view.model = (view.model + 1) % MODELS;
