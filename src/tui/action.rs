@@ -102,7 +102,7 @@ actions! {
     ToggleTree, "toggle-tree", Find, "variants below the design they came from, or all by name";
     Mark, "mark", Designs, "mark the design to compare others with, or unmark it", hint 8 "mark";
     Compare, "compare", Designs, "compare with the marked design, else with the parent", hint 7 "compare";
-    Modes, "modes", Designs, "natural modes of all models, their shapes and partners; from the spectra the deflection at their cursor", hint 5 "modes";
+    Modes, "modes", Designs, "natural modes, shapes and partners; over the spectra: the deflection at the cursor", hint 5 "modes";
     NextPhase, "next-phase", Move, "the shape an eighth of a period later", hint 2 "phase";
     OtherModel, "other-model", Move, "the enhanced, the basic or the reduced model beside finite elements", hint 3 "model";
     ShowMac, "mac", Find, "the MAC of all modes as a picture, or the table", hint 3 "MAC";
