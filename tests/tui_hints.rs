@@ -42,7 +42,7 @@ fn cells_that_are_not_saved_are_marked_until_they_are() {
     assert_eq!(changed(&screen), 1);
     assert!(line(&screen, " 60 ").contains("60 *"), "{}", screen.text());
     // a row more: its cells, and not those of the rows that it has moved
-    screen.keys("gO");
+    screen.keys("gA");
     let columns = editing(&screen).view.columns.len();
     assert!(changed(&screen) <= columns + 1, "{}", screen.text());
     screen.keys("s");

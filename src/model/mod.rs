@@ -12,6 +12,8 @@ mod recovery;
 mod reduced;
 mod tridiagonal;
 
+use std::ops::ControlFlow;
+
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
@@ -66,6 +68,8 @@ pub enum ModelError {
         .0.name()
     )]
     IllConditioned(Side),
+    #[error("cancelled")]
+    Cancelled,
 }
 
 /// One rotor of a model without the mesh: K, M and the mesh vector over its free coordinates.
@@ -127,11 +131,25 @@ impl Model {
     ///
     /// [`ModelError`] where a reduced model's rotor cannot be factorised; the others always exist.
     pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Self, ModelError> {
-        let rotor = |side: Side| match kind {
+        Self::new_over(kind, design, rotors, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// As [`Model::new`]; `done` hears of the work for a reduced model between its steps, and may end it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Model::new`]; [`ModelError::Cancelled`] where `done` breaks.
+    pub fn new_over(
+        kind: ModelKind,
+        design: &Design,
+        rotors: &Rotors,
+        done: &mut WorkDone<'_>,
+    ) -> Result<Self, ModelError> {
+        let mut rotor = |side: Side| match kind {
             ModelKind::Fe => Ok(fe::rotor(design, rotors.get(side), side)),
             ModelKind::Enhanced => Ok(lumped::rotor(design, rotors.get(side), side, LumpedMass::Enhanced)),
             ModelKind::Basic => Ok(lumped::rotor(design, rotors.get(side), side, LumpedMass::Basic)),
-            ModelKind::Reduced(modes) => Ok(CraigBampton::new(design, rotors.get(side), side)?.keep(modes)),
+            ModelKind::Reduced(modes) => Ok(CraigBampton::new_over(design, rotors.get(side), side, done)?.keep(modes)),
         };
         Ok(Self::join(kind, design, rotor(Side::Pinion)?, rotor(Side::Gear)?))
     }

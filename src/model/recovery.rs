@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Coordinate, CraigBampton, ModelError, ModelKind, RotorModel, fe};
+use super::reduced::static_shapes;
+use super::{Coordinate, ModelError, ModelKind, RotorModel, fe};
 use crate::design::{Design, Side};
 use crate::rotor::{Rotor, ShaftMatrices};
 
@@ -76,15 +77,15 @@ impl Recovery {
         model: &RotorModel,
     ) -> Result<Self, ModelError> {
         let kind = RecoveryKind::of(kind);
-        let basis = match (kind, &model.reduction) {
-            (RecoveryKind::Exact, _) => None,
-            (RecoveryKind::OwnBasis, Some(reduction)) => Some(reduction.basis.clone()),
-            _ => Some(CraigBampton::new(design, rotor, side)?.static_shapes()),
-        };
-        let coordinates = match (kind, &model.reduction) {
-            (RecoveryKind::Exact, _) => model.coordinates.clone(),
-            (_, Some(reduction)) => reduction.full.coordinates.clone(),
-            _ => fe::rotor(design, rotor, side).coordinates,
+        let (basis, coordinates) = match (kind, &model.reduction) {
+            (RecoveryKind::Exact, _) => (None, model.coordinates.clone()),
+            (RecoveryKind::OwnBasis, Some(reduction)) => {
+                (Some(reduction.basis.clone()), reduction.full.coordinates.clone())
+            }
+            _ => {
+                let full = fe::rotor(design, rotor, side);
+                (Some(static_shapes(&full, side)?), full.coordinates)
+            }
         };
         let mut out =
             Self { kind, positions: rotor.stations.positions.clone(), coordinates, basis, bearings: Vec::new() };

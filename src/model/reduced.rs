@@ -3,9 +3,12 @@
 //! The interface is what the lumped models have: the six coordinates of the mesh station, and the drive where there is one. With no mode it is the static
 //! (Guyan 1965) model; with all of them it is the finite element rotor in other coordinates.
 
+use std::ops::ControlFlow;
+
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use super::eigen::natural_modes;
+use super::eigen::{RotorModes, WorkDone, natural_modes_over};
+use super::tridiagonal::QrError;
 use super::{Coordinate, ModelError, Reduction, RotorModel, fe, lumped};
 use crate::design::{Design, Side};
 use crate::rotor::{Motion, Rotor};
@@ -33,32 +36,40 @@ impl CraigBampton {
     ///
     /// Values that lie too many orders of magnitude apart.
     pub fn new(design: &Design, rotor: &Rotor, side: Side) -> Result<Self, ModelError> {
-        let full = fe::rotor(design, rotor, side);
-        Self::split(full, design, rotor, side).ok_or(ModelError::IllConditioned(side))
+        Self::new_over(design, rotor, side, &mut |_| ControlFlow::Continue(()))
     }
 
-    fn split(full: RotorModel, design: &Design, rotor: &Rotor, side: Side) -> Option<Self> {
-        let n = full.coordinates.len();
-        let at_mesh = Motion::ALL.into_iter().map(|motion| full.at_mesh(motion));
-        let interface = at_mesh.chain(full.drive().map(Some)).collect::<Option<Vec<usize>>>()?;
+    /// As [`CraigBampton::new`]; `done` hears of the work between its steps, and may end it.
+    ///
+    /// # Errors
+    ///
+    /// As [`CraigBampton::new`]; [`ModelError::Cancelled`] where `done` breaks.
+    pub fn new_over(design: &Design, rotor: &Rotor, side: Side, done: &mut WorkDone<'_>) -> Result<Self, ModelError> {
+        let failed = ModelError::IllConditioned(side);
+        let full = fe::rotor(design, rotor, side);
+        let parted = Parted::new(&full).ok_or(failed.clone())?;
+        let free = DVector::zeros(parted.interior.len());
+        let modes = match natural_modes_over(&parted.inside, &parted.inside_mass, &free, done) {
+            Ok(modes) => modes,
+            Err(QrError::Ended) => return Err(ModelError::Cancelled),
+            Err(QrError::NotConverged) => return Err(failed),
+        };
+        Self::join(full, &parted, &modes, (design, rotor, side)).ok_or(failed)
+    }
+
+    fn join(
+        full: RotorModel,
+        parted: &Parted,
+        modes: &RotorModes,
+        (design, rotor, side): (&Design, &Rotor, Side),
+    ) -> Option<Self> {
+        let Parted { interface, interior, .. } = parted;
         let held = interface.len();
-        let interior: Vec<usize> = (0..n).filter(|i| !interface.contains(i)).collect();
-        let stiffness = full.stiffness.select_rows(&interior);
-        let (inside, across) = (stiffness.select_columns(&interior), stiffness.select_columns(&interface));
-        let inside_mass = full.mass.select_rows(&interior).select_columns(&interior);
-        let modes = natural_modes(&inside, &inside_mass, &DVector::zeros(interior.len()))?;
         let mut order: Vec<usize> = (0..interior.len()).collect();
         // kappa + s theta = 1: the greater the modal mass, the lower the frequency
         order.sort_by(|&a, &b| modes.mass[b].total_cmp(&modes.mass[a]));
-        let mut basis = DMatrix::zeros(n, held + order.len());
-        let shapes = static_shapes(&inside, &across)?;
-        for (column, &i) in interface.iter().enumerate() {
-            basis[(i, column)] = 1.0;
-        }
+        let mut basis = parted.static_shapes()?.resize_horizontally(held + order.len(), 0.0);
         for (row, &i) in interior.iter().enumerate() {
-            for column in 0..held {
-                basis[(i, column)] = shapes[(row, column)];
-            }
             for (column, &mode) in order.iter().enumerate() {
                 basis[(i, held + column)] = modes.shapes[(row, mode)];
             }
@@ -90,12 +101,6 @@ impl CraigBampton {
     /// Number of fixed-interface modes there are.
     pub fn modes(&self) -> usize {
         self.modal_stiffness.len()
-    }
-
-    /// Displacements of the finite element coordinates for unit motion of x, y, z, thx, thy, thz of the mesh station and of the drive if any, all
-    /// others of these held and nothing moving fast: one column each.
-    pub fn static_shapes(&self) -> DMatrix<f64> {
-        self.basis.columns(0, self.interface()).into_owned()
     }
 
     /// The rotor with its lowest fixed-interface modes, all of them where there are fewer.
@@ -160,16 +165,57 @@ fn join_equal(basis: &mut DMatrix<f64>, held: usize, modal_mass: &[f64], load: &
     }
 }
 
-/// - `K_ii`^-1 `K_ib`: how the inside follows the interface statically.
-fn static_shapes(inside: &DMatrix<f64>, across: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let n = inside.nrows();
-    let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(i, i)].sqrt());
-    let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(i, j)] * scale[j]);
-    let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
-    let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(i, j)]);
-    factor.solve_mut(&mut shapes);
-    for mut column in shapes.column_iter_mut() {
-        column.component_mul_assign(&scale);
+/// A rotor's coordinates, those of the interface apart from the others.
+struct Parted {
+    interface: Vec<usize>,
+    interior: Vec<usize>,
+    /// K and M of the interior, and K from the interface to it
+    inside: DMatrix<f64>,
+    inside_mass: DMatrix<f64>,
+    across: DMatrix<f64>,
+}
+
+impl Parted {
+    fn new(full: &RotorModel) -> Option<Self> {
+        let at_mesh = Motion::ALL.into_iter().map(|motion| full.at_mesh(motion));
+        let interface = at_mesh.chain(full.drive().map(Some)).collect::<Option<Vec<usize>>>()?;
+        let interior: Vec<usize> = (0..full.coordinates.len()).filter(|i| !interface.contains(i)).collect();
+        let stiffness = full.stiffness.select_rows(&interior);
+        Some(Self {
+            inside: stiffness.select_columns(&interior),
+            inside_mass: full.mass.select_rows(&interior).select_columns(&interior),
+            across: stiffness.select_columns(&interface),
+            interface,
+            interior,
+        })
     }
-    Some(shapes)
+
+    /// Displacements of all coordinates for unit motion of each of the interface: - `K_ii`^-1 `K_ib` inside.
+    fn static_shapes(&self) -> Option<DMatrix<f64>> {
+        let Self { interface, interior, inside, across, .. } = self;
+        let n = inside.nrows();
+        let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(i, i)].sqrt());
+        let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(i, j)] * scale[j]);
+        let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
+        let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(i, j)]);
+        factor.solve_mut(&mut shapes);
+        let mut whole = DMatrix::zeros(n + interface.len(), interface.len());
+        for (column, &i) in interface.iter().enumerate() {
+            whole[(i, column)] = 1.0;
+            for (row, &inner) in interior.iter().enumerate() {
+                whole[(inner, column)] = scale[row] * shapes[(row, column)];
+            }
+        }
+        Some(whole)
+    }
+}
+
+/// Displacements of the finite element coordinates for unit motion of x, y, z, thx, thy, thz of the mesh station and of the drive if any, all
+/// others of these held and nothing moving fast: one column each.
+///
+/// # Errors
+///
+/// Values that lie too many orders of magnitude apart.
+pub fn static_shapes(full: &RotorModel, side: Side) -> Result<DMatrix<f64>, ModelError> {
+    Parted::new(full).and_then(|parted| parted.static_shapes()).ok_or(ModelError::IllConditioned(side))
 }

@@ -67,13 +67,13 @@ pub trait Backend: Send + Sync {
         Err(READ_ONLY.into())
     }
 
-    /// The modes of the three models of a design; given up as soon as `wanted` says no.
+    /// The modes of a design's models, the reduced one with `reduced` fixed-interface modes a rotor; given up as soon as `wanted` says no.
     ///
     /// # Errors
     ///
     /// [`SolveError`] says why there are none.
-    fn modes(&self, design: &Design, wanted: &dyn Fn() -> bool) -> Result<Study, SolveError> {
-        Study::new(design, wanted)
+    fn modes(&self, design: &Design, reduced: usize, wanted: &dyn Fn() -> bool) -> Result<Study, SolveError> {
+        Study::new(design, reduced, wanted)
     }
 
     /// The text of a design file, also of one that is [broken](BrokenDesign).

@@ -62,6 +62,12 @@ impl App {
             Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
             Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
             Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
+            // in the tables there is more to say
+            Action::Overview => self.editors.open().is_none(),
+            Action::NextPhase => self.modes.as_ref().is_some_and(|view| view.study().is_some() && view.mac.is_none()),
+            Action::OtherModel | Action::ShowMac | Action::Deflection | Action::TypeFrequency => {
+                self.modes.as_ref().is_some_and(|view| view.study().is_some())
+            }
             Action::Modes if self.editors.open().is_none() => selected.is_some(),
             Action::MoveLeft | Action::MoveRight if self.mode == Mode::Modes => {
                 self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())

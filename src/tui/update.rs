@@ -106,10 +106,7 @@ impl App {
                 self.exported(result);
                 Vec::new()
             }
-            Message::ModesFound { ticket, result } => {
-                self.modes_found(ticket, result);
-                Vec::new()
-            }
+            Message::ModesFound { ticket, result } => self.modes_found(ticket, result),
             Message::Suspend => vec![Effect::Suspend],
             Message::Continued => vec![Effect::TakeAgain],
             Message::Signal(number) => vec![Effect::Quit(Ending::Signal(number))],

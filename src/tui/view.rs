@@ -4,7 +4,7 @@ use ratatui::Frame;
 use ratatui::buffer::Buffer;
 
 use super::app::App;
-use super::keymap::Mode;
+use super::keymap::{Mode, SCREENS};
 use super::overlays;
 use super::screens::{body, compare, editor, explorer, fits, modes, overview, render_too_small, spectra};
 
@@ -21,18 +21,14 @@ fn render(app: &mut App, frame: &mut Frame) {
     if app.is_unseen {
         return render_too_small(app, area, frame.buffer_mut());
     }
-    let cursor = if app.layers().any(|mode| mode == Mode::Compare) {
-        compare::render(app, frame)
-    } else if app.layers().any(|mode| mode == Mode::Spectra) {
-        spectra::render(app, frame)
-    } else if app.layers().any(|mode| mode == Mode::Modes) {
-        modes::render(app, frame)
-    } else if app.layers().any(|mode| mode == Mode::Overview) {
-        overview::render(app, frame)
-    } else if app.editors.open().is_some() {
-        editor::render(app, frame)
-    } else {
-        explorer::render(app, frame)
+    let screen = app.layers().filter(|mode| SCREENS.contains(mode)).last();
+    let cursor = match screen {
+        Some(Mode::Compare) => compare::render(app, frame),
+        Some(Mode::Spectra) => spectra::render(app, frame),
+        Some(Mode::Modes) => modes::render(app, frame),
+        Some(Mode::Overview) => overview::render(app, frame),
+        _ if app.editors.open().is_some() => editor::render(app, frame),
+        _ => explorer::render(app, frame),
     };
     let covered = !app.below.is_empty();
     let over = overlays::render(app, body(area), frame.buffer_mut());

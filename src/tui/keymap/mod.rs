@@ -6,10 +6,11 @@ mod places;
 use ratatui::crossterm::event::KeyCode;
 
 pub use self::mode::Mode;
+pub use self::places::SCREENS;
 use self::places::{
     ALL, ANSWERED, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM, HELP,
-    LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SCREENS, SPECTRA, TABLE,
-    TYPING, VARIANTS, VIEWS,
+    LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SPECTRA, TABLE, TYPING,
+    VARIANTS, VIEWS,
 };
 use super::action::Action;
 
@@ -129,6 +130,7 @@ pub const BINDINGS: &[Binding] = &[
     letter(PANES, 'c', Action::Compare),
     letter(&[Mode::Compare], 'x', Action::Swap),
     letter(OPENED, 'M', Action::Modes),
+    letter(SPECTRA, 'M', Action::Modes),
     key(MODES, KeyCode::Left, Action::MoveLeft),
     letter(MODES, 'h', Action::MoveLeft),
     key(MODES, KeyCode::Right, Action::MoveRight),
@@ -138,9 +140,15 @@ pub const BINDINGS: &[Binding] = &[
     letter(MODES, 'x', Action::ShowMac),
     letter(MODES, 'o', Action::Deflection),
     letter(MODES, 'f', Action::TypeFrequency),
-    letter(PANES, 'O', Action::Overview),
+    letter(MODES, '+', Action::MoreModes),
+    letter(MODES, '-', Action::FewerModes),
+    letter(OPENED, 'O', Action::Overview),
+    key(OVERVIEW, KeyCode::Left, Action::PreviousColumn),
+    letter(OVERVIEW, 'h', Action::PreviousColumn),
     key(OVERVIEW, KeyCode::Enter, Action::ShowDesign),
     letter(OVERVIEW, 's', Action::SortColumn),
+    key(OVERVIEW, KeyCode::Right, Action::SortColumn),
+    letter(OVERVIEW, 'l', Action::SortColumn),
     letter(OVERVIEW, 'S', Action::SortDirection),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),

@@ -27,8 +27,10 @@ impl PartialEq for ModesJob {
 /// What is computed.
 #[derive(Debug, Clone)]
 pub enum Wanted {
-    /// The modes of a design, with its text where that is not saved.
-    Modes { path: PathBuf, unsaved: Option<String> },
+    /// The modes of a design, with its text where that is not saved, and the fixed-interface modes a rotor of the reduced model.
+    Modes { path: PathBuf, unsaved: Option<String>, reduced: usize },
+    /// The same with another reduced model.
+    Reduced { study: Arc<Study>, reduced: usize },
     /// The deflection shapes at a frequency (Hz, greater than 0).
     Deflection { study: Arc<Study>, at_hz: f64 },
 }
@@ -42,9 +44,10 @@ pub enum Answer {
 
 /// Does a request; nothing where it is no longer wanted. A panic becomes its error.
 pub fn perform(job: &ModesJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool) -> Option<Message> {
-    let in_words = |error: SolveError| error.to_string();
+    // nobody waits to be told what was given up
+    let in_words = |error: SolveError| (error != SolveError::Cancelled).then(|| error.to_string());
     let result = match &job.wanted {
-        Wanted::Modes { path, unsaved } => guarded(|| {
+        Wanted::Modes { path, unsaved, reduced } => guarded(|| {
             let design = match unsaved {
                 None => backend.load(path).map_err(|broken| Some(broken.one_line))?.design,
                 Some(text) => {
@@ -53,14 +56,15 @@ pub fn perform(job: &ModesJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool)
                     reading.design.ok_or(Some(error))?
                 }
             };
-            match backend.modes(&design, wanted) {
-                Ok(study) => Ok(Answer::Modes(Arc::new(study))),
-                Err(SolveError::Cancelled) => Err(None),
-                Err(error) => Err(Some(in_words(error))),
-            }
+            let study = backend.modes(&design, *reduced, wanted).map_err(in_words)?;
+            Ok(Answer::Modes(Arc::new(study)))
+        }),
+        Wanted::Reduced { study, reduced } => guarded(|| {
+            let study = study.with_reduced(*reduced, wanted).map_err(in_words)?;
+            Ok(Answer::Modes(Arc::new(study)))
         }),
         Wanted::Deflection { study, at_hz } => guarded(|| {
-            let found = study.deflection(*at_hz).map_err(|error| Some(in_words(error)))?;
+            let found = study.deflection(*at_hz).map_err(in_words)?;
             Ok(Answer::Deflection(Arc::new(found)))
         }),
     };

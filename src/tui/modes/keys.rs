@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use super::{Answer, LUMPED, ModesJob, ModesView, PHASES, Study, Wanted, rows};
+use super::{Answer, FIRST_REDUCED, MODELS, MOST_REDUCED, ModeRow, ModesJob, ModesView, PHASES, Study, Wanted, rows};
 use crate::number::significant;
 use crate::tui::action::Action;
 use crate::tui::app::{App, Scroll};
 use crate::tui::keymap::Mode;
 use crate::tui::message::Effect;
 use crate::tui::solving::Ticket;
+use crate::tui::spectra::SpectraView;
 use crate::tui::text_field::TextField;
 
 /// A step of the frequency: the thirty-second part of an octave.
@@ -21,6 +22,9 @@ impl App {
             (Action::Modes, _) => return Some(self.open_modes()),
             (Action::Accept, Mode::Frequency) => return Some(self.accept_frequency()),
             (Action::Back, Mode::Modes) => {
+                if self.modes.as_mut()?.leave_picture() {
+                    return Some(Vec::new());
+                }
                 self.modes = None;
                 self.close();
                 return Some(vec![Effect::CancelModes]);
@@ -38,6 +42,17 @@ impl App {
                 let wanted = self.modes.as_mut()?.move_across(if action == Action::MoveLeft { -1 } else { 1 });
                 return Some(wanted.map_or(Vec::new(), |hz| self.deflect(hz)));
             }
+            (Action::MoreModes, Mode::Modes) => return Some(self.reduce(1)),
+            (Action::FewerModes, Mode::Modes) => return Some(self.reduce(-1)),
+            // nothing to look at yet
+            (Action::OtherModel | Action::ShowMac | Action::NextPhase, Mode::Modes)
+                if self.modes.as_ref()?.study().is_none() => {}
+            (Action::OtherModel, Mode::Modes) => {
+                let view = self.modes.as_mut()?;
+                view.model = (view.model + 1) % MODELS;
+                view.keep_mac_in_bounds();
+                return Some(if view.model == MODELS - 1 { self.reduce(0) } else { Vec::new() });
+            }
             _ => {
                 let view = self.modes.as_mut()?;
                 if !view.look_otherwise(action) {
@@ -50,10 +65,14 @@ impl App {
     }
 
     fn open_modes(&mut self) -> Vec<Effect> {
-        let path = match self.editors.open() {
-            Some(editing) => Some(editing.path.clone()),
-            None => self.library.selected().map(|row| row.path.clone()),
+        // from the spectra: the deflection where their cursor is
+        let spectra = self.spectra.as_ref();
+        let path = match (spectra, self.editors.open()) {
+            (Some(spectra), _) => Some(spectra.path.clone()),
+            (_, Some(editing)) => Some(editing.path.clone()),
+            _ => self.library.selected().map(|row| row.path.clone()),
         };
+        let deflection_hz = spectra.and_then(SpectraView::at_hz);
         let Some(path) = path else { return Vec::new() };
         let stem = self.library.row(&path).map_or_else(String::new, |row| row.stem.clone());
         let unsaved = self.editors.unsaved_text(&path);
@@ -66,24 +85,47 @@ impl App {
             rows: Vec::new(),
             cursor: 0,
             scroll: Scroll::default(),
-            lumped: 0,
+            model: 0,
+            reduced: FIRST_REDUCED,
+            is_reducing: false,
             phase: 0,
             mac: None,
-            deflection_hz: None,
+            deflection_hz,
             deflection: None,
             field: TextField::default(),
         }));
         self.open(Mode::Modes);
-        vec![Effect::Modes(ModesJob { ticket, wanted: Wanted::Modes { path, unsaved } })]
+        vec![Effect::Modes(ModesJob { ticket, wanted: Wanted::Modes { path, unsaved, reduced: FIRST_REDUCED } })]
+    }
+
+    /// Shows the reduced model with more or fewer fixed-interface modes, and asks for it where it is not known.
+    fn reduce(&mut self, by: isize) -> Vec<Effect> {
+        let ticket = self.ticket();
+        let Some(view) = &mut self.modes else { return Vec::new() };
+        let Some(study) = view.study().cloned() else { return Vec::new() };
+        view.model = MODELS - 1;
+        view.keep_mac_in_bounds();
+        let before = view.reduced;
+        view.reduced = before.saturating_add_signed(by).min(MOST_REDUCED);
+        let is_asked_for = view.is_reducing && view.reduced == before;
+        if is_asked_for || study.reduced() == Some(view.reduced) {
+            return Vec::new();
+        }
+        (view.is_reducing, view.ticket) = (true, ticket);
+        vec![Effect::Modes(ModesJob { ticket, wanted: Wanted::Reduced { study, reduced: view.reduced } })]
     }
 
     fn deflect(&mut self, at_hz: f64) -> Vec<Effect> {
         let ticket = self.ticket();
         let Some(view) = &mut self.modes else { return Vec::new() };
         let Some(study) = view.study().cloned() else { return Vec::new() };
-        view.ticket = ticket;
         view.deflection_hz = Some(at_hz);
         view.mac = None;
+        // with the reduced model it comes as well
+        if view.is_reducing {
+            return Vec::new();
+        }
+        view.ticket = ticket;
         vec![Effect::Modes(ModesJob { ticket, wanted: Wanted::Deflection { study, at_hz } })]
     }
 
@@ -120,32 +162,61 @@ impl App {
         }
     }
 
-    pub(in crate::tui) fn modes_found(&mut self, ticket: Ticket, result: Result<Answer, String>) {
-        let Some(view) = self.modes.as_mut().filter(|view| view.ticket == ticket) else { return };
+    pub(in crate::tui) fn modes_found(&mut self, ticket: Ticket, result: Result<Answer, String>) -> Vec<Effect> {
+        let Some(view) = self.modes.as_mut().filter(|view| view.ticket == ticket) else { return Vec::new() };
         match result {
             Ok(Answer::Modes(study)) => {
-                view.rows = rows::rows(&study);
-                // the rigid rotation is the least interesting
-                view.cursor = usize::from(view.rows.len() > 1);
+                let rows = rows::rows(&study);
+                if view.rows.is_empty() {
+                    // the rigid rotation is the least interesting
+                    let first = usize::from(rows.len() > 1);
+                    view.cursor = view.deflection_hz.map_or(first, |hz| nearest(&rows, hz, &study));
+                }
+                view.rows = rows;
                 view.study = Some(Ok(study));
+                view.is_reducing = false;
+                view.keep_mac_in_bounds();
+                view.deflection = None;
+                return view.deflection_hz.map_or(Vec::new(), |hz| self.deflect(hz));
             }
             Ok(Answer::Deflection(found)) => view.deflection = Some(Ok(found)),
+            Err(error) if view.is_reducing => {
+                view.is_reducing = false;
+                view.model = 0;
+                self.complain(error);
+            }
             Err(error) if view.study().is_none() => view.study = Some(Err(error)),
             Err(error) => view.deflection = Some(Err(error)),
         }
+        Vec::new()
     }
+}
+
+/// The row whose mode is nearest to a frequency.
+fn nearest(rows: &[ModeRow], at_hz: f64, study: &Study) -> usize {
+    let distance = |row: &ModeRow| (row.hz(study) - at_hz).abs();
+    let nearest = rows.iter().enumerate().min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+    nearest.map_or(0, |(at, _)| at)
 }
 
 impl ModesView {
     /// Whether the action is one that only changes what is shown.
     fn look_otherwise(&mut self, action: Action) -> bool {
         match action {
-            Action::NextPhase => self.phase = (self.phase + 1) % PHASES,
-            Action::OtherModel => self.lumped = 1 - self.lumped,
+            Action::NextPhase if self.mac.is_none() => self.phase = (self.phase + 1) % PHASES,
             Action::ShowMac => self.mac = if self.mac.is_some() { None } else { Some(self.place_in_mac()) },
             _ => return false,
         }
         true
+    }
+
+    /// Back from the MAC or the deflection shape to the mode; says whether there was one to leave.
+    fn leave_picture(&mut self) -> bool {
+        if self.mac.take().is_some() {
+            return true;
+        }
+        self.deflection = None;
+        self.study().is_some() && self.deflection_hz.take().is_some()
     }
 
     /// Leaves the deflection shape, or gives the frequency at which it is wanted: that of the selected mode.
@@ -173,13 +244,13 @@ impl ModesView {
     /// Where the selected mode is in the MAC picture.
     fn place_in_mac(&self) -> (usize, usize) {
         let row = self.row();
-        let lumped = row.and_then(|row| row.lumped[self.lumped]).map_or(0, |one| one.mode);
-        (lumped, row.and_then(|row| row.fe).unwrap_or(0))
+        let own = row.and_then(|row| row.partners[self.model]).map_or(0, |one| one.mode);
+        (own, row.and_then(|row| row.fe).unwrap_or(0))
     }
 
     fn keep_mac_in_bounds(&mut self) {
-        let Some(mac) = self.study().map(|study| study.mac[self.lumped.min(LUMPED.len() - 1)].shape()) else { return };
-        if let Some((row, column)) = &mut self.mac {
+        let mac = self.study().and_then(|study| study.one(self.model)).map(|small| small.mac.shape());
+        if let (Some(mac), Some((row, column))) = (mac, &mut self.mac) {
             *row = (*row).min(mac.0.saturating_sub(1));
             *column = (*column).min(mac.1.saturating_sub(1));
         }

@@ -9,24 +9,31 @@ mod job;
 mod keys;
 mod rows;
 mod study;
+mod text;
 
 use std::sync::Arc;
 
 pub use job::{Answer, ModesJob, Wanted, perform};
 pub use rows::{ModeRow, Partner};
-pub use study::{DeflectionShapes, ModelStudy, Study};
+pub use study::{Deflection, DeflectionShapes, MODELS, ModelStudy, SmallStudy, Study};
 
 use super::app::Scroll;
 use super::solving::Ticket;
 use super::text_field::TextField;
-use crate::number::significant;
-use crate::response::StationShape;
+use crate::model::ModelKind;
+use crate::response::{Mode, StationShape};
 
 /// Steps of a period.
 pub const PHASES: usize = 8;
 
-/// Names of the lumped models, in the order of [`Study::lumped`].
-pub const LUMPED: [&str; 2] = ["enhanced", "basic"];
+/// Fixed-interface modes a rotor of the reduced model, at first and at most.
+const FIRST_REDUCED: usize = 3;
+const MOST_REDUCED: usize = 99;
+
+/// m: makes a rotation comparable with a displacement.
+const LEVER: f64 = 0.1;
+/// The smallest rotation that is told beside a displacement.
+const ROUNDING: f64 = 1e-6;
 
 /// The view.
 #[derive(Debug)]
@@ -41,8 +48,11 @@ pub struct ModesView {
     /// Place in `rows`.
     pub cursor: usize,
     pub scroll: Scroll,
-    /// Which of the lumped models is drawn beside finite elements.
-    pub lumped: usize,
+    /// Place among [`Study::small`] of the model that is drawn beside finite elements.
+    pub model: usize,
+    /// Fixed-interface modes a rotor of the reduced model, and whether it is being computed.
+    pub reduced: usize,
+    pub is_reducing: bool,
     /// Eighths of a period.
     pub phase: usize,
     /// The cursor in the MAC picture, row and column, while that is shown.
@@ -57,18 +67,11 @@ pub struct ModesView {
 /// A shape at one moment, and a second one beside it.
 #[derive(Debug)]
 pub struct Moment {
-    /// Each: pinion, gear. The first is drawn solid: finite elements, or the mode without a partner.
-    pub shapes: Vec<(ShapeOf, [StationShape<f64>; 2])>,
-    /// The largest displacement across the shafts over the whole period, m, and the largest rotation about them, rad: those of all shapes.
+    /// Each: pinion, gear. Finite elements come first, where they have the mode.
+    pub shapes: Vec<(ModelKind, [StationShape<f64>; 2])>,
+    /// The largest displacement across the shafts over the whole period, m, and the largest rotation about them, rad: those of all shapes. What
+    /// rounding leaves of a rotation is 0.
     pub largest: [f64; 2],
-}
-
-/// Whose shape it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ShapeOf {
-    Fe,
-    /// Place in [`LUMPED`]
-    Lumped(usize),
 }
 
 impl ModesView {
@@ -85,6 +88,21 @@ impl ModesView {
         self.rows.get(self.cursor)
     }
 
+    /// The model whose mode is shown beside that of finite elements, or without one.
+    fn partner_model(&self) -> usize {
+        self.row().and_then(ModeRow::model).unwrap_or(self.model)
+    }
+
+    /// The modes that the selected row is about, that of finite elements first, where they have it.
+    pub fn pair(&self) -> Vec<(ModelKind, &Mode)> {
+        let (Some(study), Some(row)) = (self.study(), self.row()) else { return Vec::new() };
+        let fe = row.fe.and_then(|fe| Some((ModelKind::Fe, study.fe.modes.0.get(fe)?)));
+        let model = self.partner_model();
+        let partner = row.partner_mode(model, study).zip(study.one(model));
+        let partner = partner.map(|(mode, small)| (small.own.kind(), mode));
+        fe.into_iter().chain(partner).collect()
+    }
+
     /// The shapes as they are at the present phase; nothing while they are computed.
     pub fn moment(&self) -> Option<Moment> {
         let angle = std::f64::consts::TAU * self.phase as f64 / PHASES as f64;
@@ -93,47 +111,29 @@ impl ModesView {
         if self.deflection_hz.is_some() {
             let found = self.deflection.as_ref()?.as_ref().ok()?;
             let turned = num_complex::Complex64::from_polar(1.0, angle);
-            for (of, shape) in [(ShapeOf::Fe, &found.fe), (ShapeOf::Lumped(self.lumped), &found.lumped[self.lumped])] {
+            let study = self.study()?;
+            let fe = (study.fe.kind(), &found.fe.shapes);
+            let other = study.one(self.model).zip(found.small.get(self.model));
+            let other = other.map(|(small, deflection)| (small.own.kind(), &deflection.shapes));
+            for (of, shape) in std::iter::once(fe).chain(other) {
                 largest = over(largest, shape, num_complex::Complex::norm);
                 shapes.push((of, shape.each_ref().map(|shaft| at_moment(shaft, |value| (value * turned).re))));
             }
         } else {
             let (study, row) = (self.study()?, self.row()?);
-            let fe = row.fe.map(|fe| (ShapeOf::Fe, &study.fe.shapes[fe]));
-            let model = if row.fe.is_some() { self.lumped } else { usize::from(row.lumped[0].is_none()) };
-            let lumped = row.lumped[model].map(|one| (ShapeOf::Lumped(model), &study.lumped[model].shapes[one.mode]));
-            for (of, shape) in fe.into_iter().chain(lumped) {
+            let fe = row.fe.map(|fe| (ModelKind::Fe, &study.fe.shapes[fe]));
+            let model = self.partner_model();
+            let partner = study.one(model).zip(row.partners[model]);
+            let partner = partner.map(|(small, one)| (small.own.kind(), &small.own.shapes[one.mode]));
+            for (of, shape) in fe.into_iter().chain(partner) {
                 largest = over(largest, shape, f64::abs);
                 shapes.push((of, shape.each_ref().map(|shaft| at_moment(shaft, |value| value * angle.cos()))));
             }
         }
-        Some(Moment { shapes, largest })
-    }
-
-    /// The table as lines with tabs, for a spreadsheet.
-    pub fn as_text(&self) -> Option<String> {
-        let study = self.study()?;
-        let mut lines =
-            vec!["FE\tFE Hz\tname\tenhanced Hz\tshift %\tMAC\tbasic Hz\tshift %\tMAC\tmesh strain %".to_owned()];
-        for row in &self.rows {
-            let mode = row.mode(study)?;
-            let of_fe = row.fe.map_or_else(
-                || ["-".to_owned(), "-".to_owned()],
-                |fe| [(fe + 1).to_string(), significant(mode.frequency_hz, 6)],
-            );
-            let number =
-                |value: Option<f64>, decimals: usize| value.map_or("-".into(), |value| format!("{value:.decimals$}"));
-            let mut cells = of_fe.to_vec();
-            cells.push(mode.name());
-            for partner in &row.lumped {
-                cells.push(partner.map_or("-".into(), |one| significant(one.hz, 6)));
-                cells.push(number(partner.and_then(|one| one.shift_percent), 2));
-                cells.push(number(partner.and_then(|one| one.mac), 3));
-            }
-            cells.push(format!("{:.1}", 100.0 * mode.mesh_strain_share));
-            lines.push(cells.join("\t"));
-        }
-        Some(lines.join("\n"))
+        let [across, about] = largest;
+        // next to motions across the shafts, what rounding leaves of rotations is none
+        let about = if LEVER * about > ROUNDING * across { about } else { 0.0 };
+        Some(Moment { shapes, largest: [across, about] })
     }
 }
 

@@ -1,29 +1,43 @@
-//! The modes of the three models with their shapes and partners: all that the screen of the modes shows.
+//! The modes of all models with their shapes and partners: all that the screen of the modes shows.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
 
+use super::LEVER;
 use crate::agreement::{COMPARED_FE_MODES, ModePair, mac_matrix, pair_modes};
 use crate::comparison::SolveError;
 use crate::design::{Design, Side};
-use crate::model::{Model, ModelKind, Recovery, RotorModes, Rotors};
+use crate::model::{Model, ModelError, ModelKind, Recovery, RotorModes, Rotors};
 use crate::response::{
     Compliance, Modes, ResponseError, Spectrum, StationShape, mode_shape, operating_deflection, rotor_modes_over,
 };
 
-/// Modes of the finite element, the enhanced and the basic model of a design.
+/// How many models are held against finite elements.
+pub const MODELS: usize = 3;
+
+/// Finite element coordinates up to which the reduced model comes with the others: its fixed-interface modes take as long as theirs.
+const AT_ONCE: usize = 400;
+
+/// Modes of a design's models.
 #[derive(Debug, Clone)]
 pub struct Study {
     pub design: Design,
-    pub fe: ModelStudy,
-    /// Enhanced, basic
-    pub lumped: [ModelStudy; 2],
-    /// Of each lumped model with finite elements
-    pub pairs: [Vec<ModePair>; 2],
-    /// Of each lumped model, a row a mode, a column a finite element mode
-    pub mac: [DMatrix<f64>; 2],
+    pub fe: Arc<ModelStudy>,
+    lumped: [Arc<SmallStudy>; 2],
+    reduced: Option<Arc<SmallStudy>>,
+}
+
+/// A small model's modes beside those of finite elements.
+#[derive(Debug, Clone)]
+pub struct SmallStudy {
+    pub own: ModelStudy,
+    /// Its modes with those of finite elements
+    pub pairs: Vec<ModePair>,
+    /// A row a mode, a column a finite element mode
+    pub mac: DMatrix<f64>,
 }
 
 /// One model's modes.
@@ -42,42 +56,69 @@ pub struct ModelStudy {
 #[derive(Debug, Clone, PartialEq)]
 pub struct DeflectionShapes {
     pub at_hz: f64,
-    /// Dynamic mesh force of finite elements, N
-    pub fe_force: f64,
-    pub fe: [StationShape<Complex64>; 2],
-    /// Enhanced, basic
-    pub lumped: [[StationShape<Complex64>; 2]; 2],
+    pub fe: Deflection,
+    /// Enhanced, basic, and reduced where it is known
+    pub small: Vec<Deflection>,
+}
+
+/// One model's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deflection {
+    /// Dynamic mesh force, N
+    pub force: Complex64,
+    /// Pinion, gear
+    pub shapes: [StationShape<Complex64>; 2],
 }
 
 impl Study {
-    /// Solves all three models; ends with [`SolveError::Cancelled`] as soon as `wanted` says no.
+    /// Solves all models, the reduced one with `reduced` fixed-interface modes a rotor where that takes no long time; ends with
+    /// [`SolveError::Cancelled`] as soon as `wanted` says no.
     ///
     /// # Errors
     ///
     /// [`SolveError`] says why there are no modes.
-    pub fn new(design: &Design, wanted: &dyn Fn() -> bool) -> Result<Self, SolveError> {
+    pub fn new(design: &Design, reduced: usize, wanted: &dyn Fn() -> bool) -> Result<Self, SolveError> {
         let rotors = Rotors::new(design)?;
         let solved = |kind| ModelStudy::new(kind, design, &rotors, wanted);
         let mut fe = solved(ModelKind::Fe)?;
-        let mut lumped = [solved(ModelKind::Enhanced)?, solved(ModelKind::Basic)?];
-        let enhanced = lumped[0].model.clone();
-        let with_fe = |one: &ModelStudy| {
-            (pair_modes(one.both(), fe.both(), &enhanced), mac_matrix(one.both(), fe.both(), &enhanced))
-        };
-        let [(enhanced_pairs, enhanced_mac), (basic_pairs, basic_mac)] = lumped.each_ref().map(with_fe);
         fe.shapes.iter_mut().filter(|shape| largest_entry(shape) < 0.0).for_each(turn);
-        let pairs = [enhanced_pairs, basic_pairs];
-        for (one, pairs) in lumped.iter_mut().zip(&pairs) {
-            for (at, shape) in one.shapes.iter_mut().enumerate() {
-                let partner = pairs.iter().find(|pair| pair.lumped == at).map(|pair| &fe.shapes[pair.fe]);
-                // a shape and its negative are the same mode: partners are drawn to the same side
-                let is_turned = partner.map_or_else(|| largest_entry(shape) < 0.0, |fe| likeness(shape, fe) < 0.0);
-                if is_turned {
-                    turn(shape);
-                }
-            }
+        let [enhanced, basic] = [solved(ModelKind::Enhanced)?, solved(ModelKind::Basic)?];
+        let is_quick = fe.model.coordinates() <= AT_ONCE;
+        let reduced = is_quick.then(|| solved(ModelKind::Reduced(reduced))).transpose()?;
+        let motions = enhanced.model.clone();
+        let beside = |own| Arc::new(SmallStudy::new(own, &fe, &motions));
+        let (lumped, reduced) = ([enhanced, basic].map(beside), reduced.map(beside));
+        Ok(Self { design: design.clone(), lumped, reduced, fe: Arc::new(fe) })
+    }
+
+    /// The same with another reduced model.
+    ///
+    /// # Errors
+    ///
+    /// As [`Study::new`].
+    pub fn with_reduced(&self, reduced: usize, wanted: &dyn Fn() -> bool) -> Result<Self, SolveError> {
+        let rotors = Rotors::new(&self.design)?;
+        let own = ModelStudy::new(ModelKind::Reduced(reduced), &self.design, &rotors, wanted)?;
+        let reduced = Some(Arc::new(SmallStudy::new(own, &self.fe, &self.lumped[0].own.model)));
+        Ok(Self { reduced, ..self.clone() })
+    }
+
+    /// The models beside finite elements: enhanced, basic, and reduced where it is known.
+    pub fn small(&self) -> impl Iterator<Item = &SmallStudy> {
+        self.lumped.iter().chain(&self.reduced).map(|small| &**small)
+    }
+
+    /// One of them.
+    pub fn one(&self, model: usize) -> Option<&SmallStudy> {
+        self.small().nth(model)
+    }
+
+    /// Fixed-interface modes a rotor of the reduced model, where that is known.
+    pub fn reduced(&self) -> Option<usize> {
+        match self.reduced.as_ref()?.own.kind() {
+            ModelKind::Reduced(modes) => Some(modes),
+            _ => None,
         }
-        Ok(Self { design: design.clone(), fe, lumped, pairs, mac: [enhanced_mac, basic_mac] })
     }
 
     /// Displacements under the mesh force at `at_hz` (Hz, greater than 0).
@@ -86,9 +127,25 @@ impl Study {
     ///
     /// A mesh force that overflows there.
     pub fn deflection(&self, at_hz: f64) -> Result<DeflectionShapes, SolveError> {
-        let (fe_force, fe) = self.fe.deflection(at_hz)?;
-        let [(_, enhanced), (_, basic)] = [self.lumped[0].deflection(at_hz)?, self.lumped[1].deflection(at_hz)?];
-        Ok(DeflectionShapes { at_hz, fe_force: fe_force.norm(), fe, lumped: [enhanced, basic] })
+        let small = self.small().map(|small| small.own.deflection(at_hz)).collect::<Result<_, _>>()?;
+        Ok(DeflectionShapes { at_hz, fe: self.fe.deflection(at_hz)?, small })
+    }
+}
+
+impl SmallStudy {
+    /// `motions` is the enhanced model, whose coordinates all models have in common.
+    fn new(mut own: ModelStudy, fe: &ModelStudy, motions: &Model) -> Self {
+        let pairs = pair_modes(own.both(), fe.both(), motions);
+        let mac = mac_matrix(own.both(), fe.both(), motions);
+        for (at, shape) in own.shapes.iter_mut().enumerate() {
+            let partner = pairs.iter().find(|pair| pair.lumped == at).map(|pair| &fe.shapes[pair.fe]);
+            // a shape and its negative are the same mode: partners are drawn to the same side
+            let is_turned = partner.map_or_else(|| largest_entry(shape) < 0.0, |fe| likeness(shape, fe) < 0.0);
+            if is_turned {
+                turn(shape);
+            }
+        }
+        Self { own, pairs, mac }
     }
 }
 
@@ -99,7 +156,10 @@ impl ModelStudy {
             error => SolveError::Response { kind, error },
         };
         let mut done = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-        let model = Model::new(kind, design, rotors)?;
+        let model = Model::new_over(kind, design, rotors, &mut done).map_err(|error| match error {
+            ModelError::Cancelled => SolveError::Cancelled,
+            error @ ModelError::IllConditioned(_) => error.into(),
+        })?;
         if done(0.0).is_break() {
             return Err(SolveError::Cancelled);
         }
@@ -114,24 +174,26 @@ impl ModelStudy {
         Ok(Self { modes, shapes, model, rotor_modes, recovery })
     }
 
+    pub fn kind(&self) -> ModelKind {
+        self.model.kind
+    }
+
     fn both(&self) -> (&Model, &Modes) {
         (&self.model, &self.modes)
     }
 
     /// Mesh force and displacements.
-    fn deflection(&self, at_hz: f64) -> Result<(Complex64, [StationShape<Complex64>; 2]), SolveError> {
+    fn deflection(&self, at_hz: f64) -> Result<Deflection, SolveError> {
         let kind = self.model.kind;
         let mut line = Spectrum::with_capacity(1, self.model.coordinates());
         line.extend(&self.model, &Compliance::with_modes(&self.model, &self.rotor_modes), &[at_hz])
             .map_err(|error| SolveError::Response { kind, error })?;
         let force = line.mesh_force[0];
         let omega = std::f64::consts::TAU * at_hz;
-        Ok((force, operating_deflection(&self.model, &self.rotor_modes, &self.recovery, omega, force)))
+        let shapes = operating_deflection(&self.model, &self.rotor_modes, &self.recovery, omega, force);
+        Ok(Deflection { force, shapes })
     }
 }
-
-/// m: makes an angle comparable with a displacement, for signs only.
-const LEVER: f64 = 0.1;
 
 fn entries(shape: &[StationShape<f64>; 2]) -> impl Iterator<Item = f64> {
     shape.iter().flat_map(|shaft| {

@@ -69,6 +69,13 @@ impl Column {
         after.unwrap_or_default()
     }
 
+    /// Before the first the last.
+    #[must_use]
+    pub fn previous(self) -> Self {
+        let before = Self::ALL.into_iter().take_while(|column| *column != self).last();
+        before.unwrap_or(Self::PeakForce)
+    }
+
     /// The number in it; none for names, and where there is none.
     pub fn figure(self, row: &Row) -> Option<f64> {
         let RowState::Solved(summary) = &row.state else { return None };
@@ -91,7 +98,7 @@ impl Column {
         };
         match self {
             Self::EnhancedRms | Self::BasicRms => format!("{figure:.2}"),
-            Self::PeakForce => significant(figure, 4),
+            Self::PeakForce if figure < 1000.0 => significant(figure, 4),
             Self::EnhancedLimit | Self::BasicLimit if figure <= 0.0 => "nowhere".into(),
             _ => grouped(figure),
         }

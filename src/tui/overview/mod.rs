@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
 pub use column::Column;
-pub use outline::{outline, sparks};
+pub use outline::{SPAN_DB, outline, sparks};
 
 use super::action::Action;
 use super::app::{App, Scroll};
@@ -41,19 +41,22 @@ impl App {
         let is_filtering = self.mode == Mode::Filter && self.below.contains(&Mode::Overview);
         match (action, self.mode) {
             (Action::Overview, _) => {
-                self.overview.cursor = self.library.selected().map(|row| row.path.clone());
+                let opened = self.editors.open().map(|editing| editing.path.clone());
+                self.overview.cursor = opened.or_else(|| self.library.selected().map(|row| row.path.clone()));
                 self.open(Mode::Overview);
             }
             (Action::SortColumn, Mode::Overview) => {
                 self.overview.column = self.overview.column.next();
                 self.overview.reversed = false;
             }
+            (Action::PreviousColumn, Mode::Overview) => {
+                self.overview.column = self.overview.column.previous();
+                self.overview.reversed = false;
+            }
             (Action::SortDirection, Mode::Overview) => self.overview.reversed = !self.overview.reversed,
             (Action::ShowDesign, Mode::Overview) => {
-                let path = self.overview_rows().get(self.overview_cursor()).map(|row| row.path.clone());
-                self.library.select(&path?);
-                self.close();
-                return Some(self.follow_selection());
+                let path = self.overview_rows().get(self.overview_cursor()).map(|row| row.path.clone())?;
+                return Some(self.go_to(&path));
             }
             (Action::Filter, Mode::Overview) => {
                 self.open(Mode::Filter);
@@ -71,6 +74,22 @@ impl App {
             _ => return None,
         }
         Some(Vec::new())
+    }
+
+    /// Closes the screen and shows a design where that was opened: in the list, or in the tables.
+    fn go_to(&mut self, path: &Path) -> Vec<Effect> {
+        self.close();
+        let opened = self.editors.open().map(|editing| editing.path.clone());
+        if opened.as_deref() == Some(path) {
+            return Vec::new();
+        }
+        self.library.select(path);
+        if opened.is_none() {
+            return self.follow_selection();
+        }
+        let mut effects = self.close_editor();
+        effects.extend(self.open_editor());
+        effects
     }
 
     /// The designs that match the library's filter, as they are ordered; those without the figure come last.

@@ -4,11 +4,12 @@
 //!  header
 //! ┌ Modes 3 of 40 ──────────────────────────────────────────┐
 //! │ FE modes beside their partners                           │
-//! ├ FE 3, 236.4 Hz: gear tilt, x-y plane ──── ━ FE  ╍ enh. ──┤
+//! ├ FE 3, 236.4 Hz: gear tilt, x-y plane ──── ━ FE  e enh. ──┤
 //! │ numbers │ both shafts in two planes                      │
-//! └ phase 1 of 8 ────────────────────────────────────────────┘
-//!  pinion: bars of the energy in each motion
-//!    gear: ...
+//! └ phase 0 deg, numbers are parts of the largest ───────────┘
+//!  FE   pinion: bars of the energy in each motion
+//!         gear: ...
+//!  enh. ...
 //!  footer
 //! ```
 
@@ -22,11 +23,15 @@ use crate::model::{ModelKind, RecoveryKind};
 use crate::number::significant;
 use crate::text::{printable, wrap};
 use crate::tui::app::App;
-use crate::tui::modes::{LUMPED, ModesView, PHASES, ShapeOf, Study};
+use crate::tui::modes::{ModesView, PHASES, Study};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::mode_table::hertz;
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::{energy_bars, figures, footer, header, mac_picture, mode_shape, mode_table};
+use crate::tui::widgets::wide_plot::legend_name;
+use crate::tui::widgets::{deflection_figures, energy_bars, footer, header, mac_picture, mode_shape, mode_table};
+
+/// Rows of the smallest terminal in which the partner's energy stands below that of finite elements.
+const BOTH_ENERGIES: u16 = 24;
 
 /// Draws the screen over the whole frame.
 pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
@@ -36,8 +41,11 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let theme = app.theme;
     if let Some(view) = &mut app.modes {
         header::render_named(&format!("{}: natural modes", view.name), &theme, row(0, 1), buffer);
-        render_body(view, &theme, super::body(area), buffer);
-        render_figures(view, &theme, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
+        let below = if area.height >= BOTH_ENERGIES { 2 * energy_bars::ROWS } else { energy_bars::ROWS };
+        // what needs less is not spread over more
+        let below = if view.mac.is_some() || view.study().is_none() { energy_bars::ROWS } else { below };
+        render_body(view, &theme, row(1, area.height.saturating_sub(2 + below)), buffer);
+        render_figures(view, &theme, row(area.height - 1 - below, below), buffer);
     }
     footer::render(app, row(area.height - 1, 1), buffer)
 }
@@ -48,7 +56,7 @@ fn render_body(view: &mut ModesView, theme: &Theme, area: Rect, buffer: &mut Buf
         other => {
             let text = match other {
                 Some(Err(error)) => printable(error).into_owned(),
-                _ => format!("Computing the modes of the three models{}", theme.glyphs.ellipsis),
+                _ => format!("Computing the modes of all models{}", theme.glyphs.ellipsis),
             };
             let inner = panel::frame(area, buffer, &Title::left("Modes"), true, theme);
             for (line, y) in
@@ -65,7 +73,7 @@ fn render_body(view: &mut ModesView, theme: &Theme, area: Rect, buffer: &mut Buf
     let left = format!("Modes {} of {}, partners by MAC", view.cursor + 1, view.rows.len());
     let inner = panel::frame(area, buffer, &Title { left: vec![left, "Modes".into()], right: Vec::new() }, true, theme);
     let room = inner.height.saturating_sub(1);
-    let shape = if room >= 20 { room / 2 } else { 10 };
+    let shape = if room >= 20 { room / 2 } else { 8 };
     // the heading and three rows are seen before any shape
     let shape = shape.min(room.saturating_sub(4)) & !1;
     let table = room - shape;
@@ -73,7 +81,7 @@ fn render_body(view: &mut ModesView, theme: &Theme, area: Rect, buffer: &mut Buf
     panel::divider(area, buffer, inner.y + table, &shape_title(view, &study, theme), theme);
     let below = Rect { y: inner.y + table + 1, height: shape, ..inner };
     render_shape(view, &study, theme, below, buffer);
-    panel::bottom(area, buffer, &bottom(view), true, theme);
+    panel::bottom(area, buffer, &bottom(view, &study, theme, area.width), true, theme);
 }
 
 fn render_shape(view: &ModesView, study: &Study, theme: &Theme, area: Rect, buffer: &mut Buffer) {
@@ -93,57 +101,57 @@ fn render_shape(view: &ModesView, study: &Study, theme: &Theme, area: Rect, buff
 fn shape_title(view: &ModesView, study: &Study, theme: &Theme) -> Title<'static> {
     let mut left = Vec::new();
     if let Some(hz) = view.deflection_hz {
-        let what = format!("deflection at {} Hz", significant(hz, 5));
-        let force = view.deflection.as_ref().and_then(|found| found.as_ref().ok());
-        let force = force.filter(|found| found.at_hz.to_bits() == hz.to_bits()).map(|found| found.fe_force);
-        left.extend(force.map(|force| format!("{what}, FE mesh force {} N", significant(force, 4))));
-        left.push(what);
+        left.push(format!("operating deflection at {} Hz", significant(hz, 5)));
+        left.push(format!("deflection at {} Hz", significant(hz, 5)));
     } else if let Some((row, mode)) = view.row().and_then(|row| Some((row, row.mode(study)?))) {
         let number = row.fe.map_or(String::new(), |fe| format!(" {}", fe + 1));
-        let what = format!("{}{number}, {} Hz: {}", row.model(), hertz(mode.frequency_hz), mode.name());
-        let strain = format!("{:.0} %", 100.0 * mode.mesh_strain_share);
-        left.push(format!("{what}; {strain} of the strain in the mesh"));
-        left.push(format!("{what}; mesh strain {strain}"));
-        left.push(what);
+        let model = legend_name(row.kind(study));
+        left.push(format!("{model}{number}, {} Hz: {}", hertz(mode.frequency_hz), mode.name()));
     }
-    let [fe, enhanced, basic] = theme.marker.samples();
-    let lumped = [(enhanced, theme.enhanced), (basic, theme.basic)];
     let shown = view.moment().map_or(Vec::new(), |moment| moment.shapes.iter().map(|(of, _)| *of).collect());
-    let right = shown.into_iter().map(|of| match of {
-        ShapeOf::Fe => Span::styled(format!("{fe} FE "), theme.fe),
-        ShapeOf::Lumped(model) => Span::styled(format!("{} {} ", lumped[model].0, LUMPED[model]), lumped[model].1),
+    let right = shown.into_iter().map(|of| {
+        let (sample, style) = mode_shape::sample(of, theme);
+        Span::styled(format!("{sample} {} ", legend_name(of)), style)
     });
     Title { left, right: right.collect() }
 }
 
-/// The phase, the scale, and how the lumped shape is known.
-fn bottom(view: &ModesView) -> Title<'static> {
-    let phase = format!("phase {} of {PHASES}", view.phase + 1);
-    let Some(moment) = view.moment() else { return Title::left(phase) };
-    let has_lumped = moment.shapes.iter().any(|(of, _)| *of != ShapeOf::Fe);
-    let mut short = phase;
-    if view.deflection_hz.is_some() {
-        short = format!("{short}, largest {} m", significant(moment.largest[0], 3));
+/// The phase, the scale, and how the partner's shape is known.
+fn bottom(view: &ModesView, study: &Study, theme: &Theme, width: u16) -> Title<'static> {
+    let phase = format!("phase {} deg", 360 / PHASES * view.phase);
+    if view.is_reducing {
+        return Title::left(format!("computing reduced:{}{}", view.reduced, theme.glyphs.ellipsis));
     }
-    let how = RecoveryKind::of(ModelKind::Enhanced).name();
-    let long = if has_lumped { format!("{short}, lumped {how}") } else { short.clone() };
-    Title { left: vec![long, short], right: Vec::new() }
+    let Some(moment) = view.moment() else { return Title::left(phase) };
+    let mode = view.row().and_then(|row| row.mode(study)).filter(|_| view.deflection_hz.is_none());
+    if let Some(mode) = mode.filter(|_| width < energy_bars::WHOLE) {
+        let strain = format!("{phase}, {:.0} % of the strain in the mesh", 100.0 * mode.mesh_strain_share);
+        return Title { left: vec![strain, phase], right: Vec::new() };
+    }
+    let scale = format!("{phase}, numbers are parts of the largest");
+    let partner = moment.shapes.iter().map(|(of, _)| *of).find(|of| *of != ModelKind::Fe);
+    let how =
+        partner.map_or(scale.clone(), |of| format!("{scale}; {} {}", legend_name(of), RecoveryKind::of(of).name()));
+    Title { left: vec![how, scale, phase], right: Vec::new() }
 }
 
 fn render_mac(view: &ModesView, study: &Study, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let Some((row, column)) = view.mac else { return };
-    let model = LUMPED[view.lumped];
+    let (Some((row, column)), Some(small)) = (view.mac, study.one(view.model)) else {
+        panel::frame(area, buffer, &bottom(view, study, theme, area.width), true, theme);
+        return;
+    };
+    let model = legend_name(small.own.kind());
     let title = Title::left(format!("MAC of the {model} model with finite elements"));
     let inner = panel::frame(area, buffer, &title, true, theme);
     mac_picture::render(view, theme, Rect { height: inner.height.saturating_sub(1), ..inner }, buffer);
     let hz = |modes: &crate::response::Modes, at: usize| {
         modes.0.get(at).map_or(String::new(), |mode| hertz(mode.frequency_hz))
     };
-    let value = study.mac[view.lumped].get((row, column)).copied().unwrap_or(0.0);
+    let value = small.mac.get((row, column)).copied().unwrap_or(0.0);
     let readout = format!(
         " {model} {} ({} Hz) with FE {} ({} Hz): MAC {value:.3}",
         row + 1,
-        hz(&study.lumped[view.lumped].modes, row),
+        hz(&small.own.modes, row),
         column + 1,
         hz(&study.fe.modes, column)
     );
@@ -153,26 +161,23 @@ fn render_mac(view: &ModesView, study: &Study, theme: &Theme, area: Rect, buffer
 
 fn render_figures(view: &ModesView, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let Some(study) = view.study() else { return };
-    let mode = match view.mac {
-        // both modes under the cursor, in words
-        Some((row, column)) => {
-            let models =
-                [(LUMPED[view.lumped], &study.lumped[view.lumped].modes, row), ("FE", &study.fe.modes, column)];
-            for ((name, modes, at), y) in models.into_iter().zip(area.top()..area.bottom()) {
-                let named = modes.0.get(at).map_or(String::new(), crate::response::Mode::name);
-                buffer.set_stringn(
-                    area.x,
-                    y,
-                    format!(" {name:>8} {}: {named}", at + 1),
-                    usize::from(area.width),
-                    Style::new(),
-                );
-            }
-            return;
-        }
-        None => view.row().and_then(|row| row.mode(study)),
-    };
-    if let Some(mode) = mode {
-        energy_bars::render(mode, theme, area, buffer);
+    if let Some((row, column)) = view.mac {
+        return render_names(study, view.model, [row, column], area, buffer);
+    }
+    match (&view.deflection_hz, &view.deflection) {
+        (Some(_), Some(Ok(found))) => deflection_figures::render(study, found, theme, area, buffer),
+        (Some(_), _) => {}
+        (None, _) => energy_bars::render(&view.pair(), theme, area, buffer),
+    }
+}
+
+/// Both modes under the cursor of the MAC, in words.
+fn render_names(study: &Study, model: usize, places: [usize; 2], area: Rect, buffer: &mut Buffer) {
+    let Some(small) = study.one(model) else { return };
+    let models = [&small.own, &*study.fe];
+    for ((one, at), y) in models.into_iter().zip(places).zip(area.top()..area.bottom()) {
+        let named = one.modes.0.get(at).map_or(String::new(), crate::response::Mode::name);
+        let text = format!(" {:>10} {}: {named}", legend_name(one.kind()), at + 1);
+        buffer.set_stringn(area.x, y, text, usize::from(area.width), Style::new());
     }
 }

@@ -7,8 +7,11 @@
 //! │ design       FE spectrum limit Hz RMS dB limit Hz RMS dB      Hz │
 //! │▌overhung     ▁▁▂█▃▁▂▅▁▁     2,997   3.72      236  10.13   1,180 │
 //! │ typo         × line 14: unknown key                              │
-//! └──────────────────────────────────────────────────────────────────┘
-//!  what is wrong with the design under the cursor, or its name
+//! ├ overhung: FE mesh force, dB re 1 N ─────────────────────────────┤
+//! │ its spectrum, where the list leaves room                         │
+//! └ spectra: 41 to 81 dB re 1 N, each over its own frequencies ─────┘
+//!  enhanced: trust up to ...
+//!     basic: ...            or what is wrong with the design under the cursor
 //!  footer
 //! ```
 
@@ -16,16 +19,19 @@ use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
-use unicode_width::UnicodeWidthStr;
 
-use crate::text::{cut, printable, wrap};
+use crate::text::{printable, wrap};
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
 use crate::tui::library::{Row, RowState};
-use crate::tui::overview::{Column, reason, sparks};
+use crate::tui::overview::{Column, SPAN_DB, reason};
 use crate::tui::theme::Theme;
+use crate::tui::widgets::design_table::{self, Scale, is_warned, solved};
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::{figures, footer, header};
+use crate::tui::widgets::{figures, footer, header, outline_plot};
+
+/// The fewest and the most rows that the picture of one spectrum takes.
+const PICTURE: std::ops::RangeInclusive<u16> = 7..=16;
 
 /// Draws the screen over the whole frame.
 pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
@@ -37,12 +43,19 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let body = super::body(area);
     let inner = panel::frame(body, buffer, &title(app), app.mode == Mode::Overview, &theme);
     let (cursor, count) = (app.overview_cursor(), app.library.matches());
-    app.overview.scroll.fit(count, usize::from(inner.height).saturating_sub(2));
+    // one line more than the rows: whatever is selected, the picture stays
+    let wanted = (count + 1).min(usize::from(u16::MAX)) as u16 + design_table::HEAD;
+    let picture = inner.height.saturating_sub(wanted).min(*PICTURE.end());
+    let picture = if PICTURE.contains(&picture) { picture } else { 0 };
+    let table = Rect { height: inner.height - picture, ..inner };
+    app.overview.scroll.fit(count, usize::from(table.height.saturating_sub(design_table::HEAD)));
     app.overview.scroll.show(cursor);
-    render_rows(app, cursor, inner, buffer);
+    let scale = Scale::of(&app.overview_rows());
+    design_table::render(app, cursor, &scale, table, buffer);
     if let Some(chosen) = app.overview_rows().get(cursor) {
-        let place = row(area.height - 1 - figures::HEIGHT, figures::HEIGHT);
-        render_chosen(chosen, place, buffer);
+        render_picture(chosen, &theme, (body, Rect { y: table.bottom(), height: picture, ..inner }), buffer);
+        render_chosen(chosen, &theme, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
+        panel::bottom(body, buffer, &bottom(chosen, &scale, &theme, inner.width), app.mode == Mode::Overview, &theme);
     }
     footer::render(app, row(area.height - 1, 1), buffer)
 }
@@ -63,114 +76,64 @@ fn title(app: &App) -> Title<'static> {
     Title { left: vec![format!("{found}, {order}"), order, "Overview".into()], right: Vec::new() }
 }
 
-/// Widths of name and spectrum, and the columns that there is room for.
-struct Widths {
-    name: usize,
-    sparks: usize,
-    figures: Vec<Column>,
+/// What the lines of shades mean, and what the marks of the chosen design say.
+fn bottom(chosen: &Row, scale: &Scale, theme: &Theme, width: u16) -> Title<'static> {
+    let Some(top) = scale.top else { return Title::default() };
+    let levels = format!("{:.0} to {top:.0} dB re 1 N", top - SPAN_DB);
+    let over = match scale.band {
+        Some([low, high]) => format!("{} to {} Hz", crate::number::grouped(low), crate::number::grouped(high)),
+        None => "each over its own frequencies".into(),
+    };
+    let long = format!("spectra: {levels}, {over}");
+    let mut marks = Vec::new();
+    if chosen.unsaved {
+        marks.push("* edits not saved, not in the figures".to_owned());
+    }
+    if is_warned(chosen) {
+        marks.push(format!("! {}", warnings(chosen).join("; ")));
+    }
+    let mut left = Vec::new();
+    // the marks explain what stands in the row; the scale is the same for all
+    if !marks.is_empty() {
+        let marks = marks.join("; ");
+        left.extend([format!("{long} {} {marks}", theme.glyphs.separator), marks]);
+    } else if design_table::has_spectra(width) {
+        left.extend([long, levels]);
+    }
+    Title { left, right: Vec::new() }
 }
 
-impl Widths {
-    fn new(all: usize) -> Self {
-        let mut figures = Column::ALL[1..].to_vec();
-        // with little room the least telling figure goes
-        if all < 76 {
-            figures.retain(|column| *column != Column::BasicRms);
-        }
-        let taken: usize = figures.iter().map(|column| column.width()).sum();
-        let left = all.saturating_sub(1 + taken);
-        let sparks = if left >= 20 { (left * 2 / 5).min(60) } else { 0 };
-        Self { name: left.saturating_sub(sparks + usize::from(sparks > 0)), sparks, figures }
-    }
-
-    fn line(&self, name: &str, sparks: &str, figures: impl Iterator<Item = String>, theme: &Theme) -> String {
-        let name = cut(name, self.name, theme.glyphs.ellipsis);
-        let gap = " ".repeat(self.name.saturating_sub(name.width()) + usize::from(self.sparks > 0));
-        let figures: Vec<String> =
-            figures.zip(&self.figures).map(|(figure, column)| format!("{figure:>0$}", column.width())).collect();
-        let figures = figures.concat();
-        format!(" {name}{gap}{sparks:<0$}{figures}", self.sparks)
-    }
+fn warnings(row: &Row) -> Vec<String> {
+    let warnings = row.loaded.as_ref().map_or(&[][..], |loaded| &loaded.warnings);
+    warnings.iter().map(|warning| printable(warning).into_owned()).collect()
 }
 
-fn render_rows(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) {
-    let theme = &app.theme;
-    let width = usize::from(area.width);
-    let widths = Widths::new(width);
-    let rows = app.overview_rows();
-    for (line, y) in (0..2).zip(area.top()..area.bottom()) {
-        let heads = widths.figures.iter().map(|column| {
-            let mark = if line == 1 && *column == app.overview.column { direction_mark(app) } else { "" };
-            format!("{mark}{}", column.heads()[line])
-        });
-        let own = if app.overview.column == Column::Design && line == 1 { direction_mark(app) } else { "" };
-        let name = format!("{}{own}", Column::Design.heads()[line]);
-        let sparks = if line == 1 { cut("FE spectrum", widths.sparks, "") } else { String::new() };
-        buffer.set_stringn(area.x, y, widths.line(&name, &sparks, heads, theme), width, theme.faint);
+/// The chosen design's spectrum, where there is room.
+fn render_picture(row: &Row, theme: &Theme, (frame, area): (Rect, Rect), buffer: &mut Buffer) {
+    if area.height == 0 {
+        return;
     }
-    // one scale for all, so that rows can be compared
-    let outlines = rows.iter().filter_map(|row| solved(row)).flat_map(|summary| summary.fe_outline.iter().copied());
-    let top = outlines.filter(|level| level.is_finite()).fold(f64::NEG_INFINITY, f64::max);
-    if rows.is_empty() {
-        let text = if app.library.is_empty() { " no designs" } else { " no design matches the filter" };
-        buffer.set_stringn(area.x, area.y + 2, text, width, theme.faint);
-    }
-    for ((at, row), y) in rows.iter().enumerate().skip(app.overview.scroll.top).zip(area.y + 2..area.bottom()) {
-        let is_selected = at == cursor;
-        let style = match (&row.state, is_selected) {
-            (_, true) => theme.selected,
-            (RowState::Broken(_) | RowState::Unsolvable(_), false) => theme.error,
-            (RowState::Pending | RowState::Loaded, false) => theme.faint,
-            _ => Style::new(),
-        };
-        let name = if row.unsaved { format!("{} *", row.stem) } else { row.stem.clone() };
-        let text = match (solved(row), reason(row)) {
-            (Some(summary), _) => {
-                let sparks = sparks(&summary.fe_outline, top, widths.sparks, theme.glyphs.ascii);
-                widths.line(&name, &sparks, widths.figures.iter().map(|column| column.shown(row)), theme)
-            }
-            (_, Some(reason)) => {
-                let line = widths.line(&name, "", std::iter::empty(), theme);
-                let reason = format!("{} {reason}", theme.glyphs.broken);
-                let start = line.trim_end().width() + 1;
-                let start = start.max(widths.name + 2);
-                let gap = " ".repeat(start.saturating_sub(line.trim_end().width()));
-                format!("{}{gap}{}", line.trim_end(), cut(&reason, width.saturating_sub(start), theme.glyphs.ellipsis))
-            }
-            _ => {
-                let dots = widths.figures.iter().map(|_| theme.glyphs.ellipsis.to_owned());
-                widths.line(&name, "", dots, theme)
-            }
-        };
-        let marker = if is_selected { theme.glyphs.selected } else { " " };
-        buffer.set_style(Rect::new(area.x, y, area.width, 1), style);
-        buffer.set_stringn(area.x, y, format!("{marker}{}", text.get(1..).unwrap_or_default()), width, style);
+    let name = if row.name() == row.stem { row.stem.clone() } else { format!("{}: {}", row.stem, row.name()) };
+    let what = if solved(row).is_some() { "FE mesh force, dB re 1 N" } else { "no spectrum" };
+    let title = Title { left: vec![format!("{name}, {what}"), what.to_owned()], right: Vec::new() };
+    panel::divider(frame, buffer, area.y, &title, theme);
+    if let Some(summary) = solved(row)
+        && let Some(loaded) = &row.loaded
+    {
+        let below = Rect { y: area.y + 1, height: area.height - 1, ..area };
+        outline_plot::render(&summary.fe_outline, &loaded.design.analysis, theme, below, buffer);
     }
 }
 
-fn solved(row: &Row) -> Option<&crate::tui::solving::Summary> {
-    match &row.state {
-        RowState::Solved(summary) => Some(summary),
-        _ => None,
+/// How far its models can be trusted, or the whole reason why it has no figures.
+fn render_chosen(row: &Row, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    if let Some(summary) = solved(row) {
+        return figures::render_models(summary, None, theme, area, buffer);
     }
-}
-
-fn direction_mark(app: &App) -> &'static str {
-    let is_up = (app.overview.column == Column::Design) != app.overview.reversed;
-    match (app.theme.glyphs.ascii, is_up) {
-        (true, true) => "^",
-        (true, false) => "v",
-        (false, true) => "▲",
-        (false, false) => "▼",
-    }
-}
-
-/// The whole reason where a design has no figures, else what it is called.
-fn render_chosen(row: &Row, area: Rect, buffer: &mut Buffer) {
     let text = match &row.state {
         RowState::Broken(broken) => broken.one_line.clone(),
         RowState::Unsolvable(message) => message.clone(),
-        _ => row.name(),
+        _ => reason(row).unwrap_or_else(|| row.name()),
     };
     for (line, y) in wrap(&text, usize::from(area.width).saturating_sub(2)).iter().zip(area.top()..area.bottom()) {
         buffer.set_stringn(area.x + 1, y, printable(line), usize::from(area.width.saturating_sub(1)), Style::new());

@@ -62,7 +62,9 @@ impl App {
             Action::OpenSpectra => return Some(self.open_spectra()),
             Action::ExportShown if own => self.open_export(),
             Action::Why if own => self.open_why(),
-            Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy => return None,
+            Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy | Action::Modes => {
+                return None;
+            }
             _ if own => {
                 let view = self.spectra.as_mut()?;
                 let against = view.against;

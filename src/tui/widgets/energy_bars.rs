@@ -1,38 +1,69 @@
-//! Where the kinetic energy of a mode is: a bar for each motion of each rotor.
+//! Where the energy of a mode is: a bar for each motion of each rotor, and the mesh's share of the strain.
 //!
 //! ```text
-//!  pinion: lateral ██   23 %  axial       2 %  tilt ███▌  41 %  torsion      0 %
-//!    gear: lateral ▌     8 %  axial       1 %  tilt ██    25 %  torsion      0 %
+//!    FE  pinion lat ██   23% axi       2% til ███▌  41% tor       0% mesh ▌   12%
+//!          gear lat ▌     8% axi       1% til ██    25% tor       0%
+//!  enh.  pinion ...
 //! ```
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use ratatui::style::Style;
 
+use super::shape_numbers::short;
+use super::wide_plot::style;
+use crate::model::ModelKind;
 use crate::response::{Mode, MotionGroup};
 use crate::tui::theme::Theme;
 
-const LABEL: usize = 9;
-/// Of the share in percent, with a space.
-const SHARE: usize = 3;
+/// Rows of one mode.
+pub const ROWS: u16 = 2;
 
-/// Draws a line a rotor, pinion first.
-pub fn render(mode: &Mode, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let width = usize::from(area.width);
-    let part = width.saturating_sub(LABEL) / MotionGroup::ALL.len();
-    let name_room = if part >= 18 { 8 } else { 4 };
-    let bar = part.saturating_sub(name_room + SHARE + 2);
-    for ((label, share), y) in
-        [("pinion", &mode.pinion), ("gear", &mode.gear)].into_iter().zip(area.top()..area.bottom())
-    {
-        let (mut x, _) = buffer.set_stringn(area.x, y, format!(" {label:>6}: "), width, theme.title);
-        for group in MotionGroup::ALL {
-            let share = group.of(share).clamp(0.0, 1.0);
-            let name = if name_room >= 8 { group.name() } else { group.name().get(..3).unwrap_or_default() };
-            let left = |x: u16| usize::from(area.right().saturating_sub(x));
-            x = buffer.set_stringn(x, y, format!("{name:<name_room$}"), left(x), theme.faint).0;
-            x = buffer.set_stringn(x, y, filled(share, bar, theme), left(x), theme.fe).0;
-            x = buffer.set_stringn(x, y, format!("{:>SHARE$.0}% ", 100.0 * share), left(x), theme.title).0;
+/// The width from which models and the mesh's share have columns of their own; below it that is told elsewhere.
+pub const WHOLE: u16 = 76;
+
+/// Of a share in percent, with a space after it.
+const SHARE: usize = 5;
+/// Columns of a part in which names are whole.
+const WIDE: usize = 20;
+
+/// Draws two lines a mode, the pinion first; what there is no room for is left out.
+pub fn render(modes: &[(ModelKind, &Mode)], theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let fitting = usize::from(area.height / ROWS);
+    for ((kind, mode), y) in modes.iter().take(fitting).zip((area.y..).step_by(usize::from(ROWS))) {
+        let strain = Some(mode.mesh_strain_share);
+        for (side, share, strain, y) in [("pinion", &mode.pinion, strain, y), ("gear", &mode.gear, None, y + 1)] {
+            let label = if side == "pinion" { short(*kind) } else { "" };
+            let (label, strain) =
+                if area.width >= WHOLE { (format!(" {label:<5}"), Some(strain)) } else { (String::new(), None) };
+            let x =
+                buffer.set_stringn(area.x, y, label + &format!(" {side:>6} "), usize::from(area.width), theme.title).0;
+            let groups = MotionGroup::ALL.map(|group| Some((group.name(), group.of(share))));
+            let parts: Vec<_> =
+                groups.into_iter().chain(strain.map(|strain| strain.map(|strain| ("mesh strain", strain)))).collect();
+            let place = Rect { x, y, width: area.right() - x, height: 1 };
+            render_parts(&parts, style(*kind, theme), theme, place, buffer);
         }
+    }
+}
+
+fn render_parts(parts: &[Option<(&str, f64)>], style: Style, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let part = usize::from(area.width) / parts.len().max(1);
+    let name_room = if part >= WIDE { 8 } else { 4 };
+    for (at, (name, share)) in parts.iter().enumerate().filter_map(|(at, part)| Some((at, (*part)?))) {
+        let (name, name_room) = match (name, part >= WIDE) {
+            ("mesh strain", true) => (name, 12),
+            ("mesh strain", false) => ("mesh", 5),
+            (name, true) => (name, name_room),
+            (name, false) => (name.get(..3).unwrap_or_default(), name_room),
+        };
+        let share = share.clamp(0.0, 1.0);
+        let bar = part.saturating_sub(name_room + SHARE);
+        let x = area.x + (at * part) as u16;
+        let left = |x: u16| usize::from(area.right().saturating_sub(x));
+        let x = buffer.set_stringn(x, area.y, format!("{name:<name_room$}"), left(x), theme.faint).0;
+        let x = buffer.set_stringn(x, area.y, filled(share, bar, theme), left(x), style).0;
+        buffer.set_stringn(x, area.y, format!("{:>3.0}% ", 100.0 * share), left(x), Style::new());
     }
 }
 

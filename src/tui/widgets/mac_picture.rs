@@ -1,4 +1,4 @@
-//! The MAC of all modes of a lumped model with those of finite elements, as shades.
+//! The MAC of all modes of a small model with those of finite elements, as shades.
 //!
 //! ```text
 //!            FE  1    5    10   15
@@ -13,7 +13,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::mode_table::hertz;
-use crate::tui::modes::{LUMPED, ModesView};
+use super::wide_plot::legend_name;
+use crate::tui::modes::ModesView;
 use crate::tui::theme::Theme;
 
 /// Columns of number and frequency.
@@ -41,14 +42,15 @@ pub fn render(view: &ModesView, theme: &Theme, area: Rect, buffer: &mut Buffer) 
     if area.height < 3 || area.width <= LABEL {
         return;
     }
-    let mac = &study.mac[view.lumped];
+    let Some(small) = study.one(view.model) else { return };
+    let mac = &small.mac;
     let room = usize::from(area.width - LABEL);
     let cell = (room / mac.ncols().max(1)).clamp(1, 3);
     let (across, down) = (room / cell, usize::from(area.height - 2));
     let left = (column + 1).saturating_sub(across);
     let top = (row + 1).saturating_sub(down);
     let x_of = |at: usize| area.x + LABEL + ((at - left) * cell) as u16;
-    let model = LUMPED[view.lumped];
+    let model = legend_name(small.own.kind());
     buffer.set_stringn(area.x, area.y, format!(" {model:>8} \\ FE"), usize::from(LABEL), theme.faint);
     for at in (left..mac.ncols().min(left + across)).filter(|at| *at == 0 || (at + 1) % 5 == 0) {
         let x = x_of(at);
@@ -58,7 +60,7 @@ pub fn render(view: &ModesView, theme: &Theme, area: Rect, buffer: &mut Buffer) 
     for (at, y) in (top..mac.nrows()).zip(area.y + 2..area.bottom()) {
         let is_selected = at == row;
         let marker = if is_selected { theme.glyphs.selected } else { " " };
-        let hz = study.lumped[view.lumped].modes.0.get(at).map_or(0.0, |mode| mode.frequency_hz);
+        let hz = small.own.modes.0.get(at).map_or(0.0, |mode| mode.frequency_hz);
         let style = if is_selected { theme.title } else { Style::new() };
         buffer.set_stringn(area.x, y, format!("{marker}{:>3}{:>9}", at + 1, hertz(hz)), usize::from(LABEL), style);
         for other in left..mac.ncols().min(left + across) {

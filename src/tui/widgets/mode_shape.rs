@@ -1,149 +1,146 @@
 //! A shape at one moment: both shafts in two planes over their undeformed lines.
 //!
 //! ```text
-//!  pinion    FE  enh │x-y      ⣀⠤⠒⠉      │y-z
-//!  axial   0.12 0.11 │──×─⣀⠤△⠒⠉─△────    │──×──△────△────
-//!  torsion 0.98 0.97 │⠒⠉
-//!  drive   0.30 0.30 │
+//!  pinion    FE  enh.          ⣀⠤e⠒⠉⠉e
+//!  axial   0.12 0.11 x-y e─×─⣀e△⠒⠉─△────  y-z ──×──△────△────
+//!  torsion 0.98 0.97     ⠒e⠒⠉
+//!  drive   0.30 0.30
 //! ```
+//!
+//! Finite elements are a line, the partner a broken line with its letter in every fourth column: where both lie on one another, both are seen.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::canvas::{Canvas, Pen};
+use super::canvas::Canvas;
 use super::panel::put;
 use super::plot::{Range, draw_curve};
+use super::shape_numbers;
+use super::wide_plot::pen;
 use crate::design::{BearingModel, RotorDesign, Side};
+use crate::model::ModelKind;
 use crate::response::StationShape;
 use crate::tui::axis::FrequencyAxis;
-use crate::tui::modes::{Moment, ShapeOf};
+use crate::tui::modes::Moment;
 use crate::tui::theme::Theme;
 use crate::tui::traces::envelope;
 
-/// Columns of the numbers beside the planes.
-const NUMBERS: u16 = 20;
+/// Columns of a plane's name beside it.
+const NAME: u16 = 4;
 
 /// The planes: name, and the displacement that is drawn.
 const PLANES: [(&str, usize); 2] = [("x-y", 0), ("y-z", 2)];
 
+/// Columns from one letter of a partner's curve to the next.
+const LETTERS_APART: u16 = 4;
+
+/// The fewest rows in which curves are told from a straight line.
+const LEAST_ROWS: u16 = 2;
+
 /// Draws both shafts, each in half of the rows.
 pub fn render(moment: &Moment, design: &crate::design::Design, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let half = area.height / 2;
-    if half == 0 || area.width < NUMBERS + 4 {
+    if half < LEAST_ROWS || area.width < shape_numbers::WIDTH + 2 * (NAME + 2) {
         return;
     }
     for (at, side) in Side::BOTH.into_iter().enumerate() {
         let band = Rect { y: area.y + half * at as u16, height: half, ..area };
         let rotor = design.rotor(side);
-        let shapes: Vec<(ShapeOf, &StationShape<f64>)> =
+        let shapes: Vec<(ModelKind, &StationShape<f64>)> =
             moment.shapes.iter().map(|(of, both)| (*of, &both[at])).collect();
-        render_numbers(side, rotor, &shapes, moment.largest, theme, band, buffer);
-        let width = (band.width - NUMBERS) / 2;
+        shape_numbers::render((side, rotor), &shapes, moment.largest, theme, band, buffer);
+        let width = (band.width - shape_numbers::WIDTH) / 2;
         for (plane, (name, component)) in PLANES.into_iter().enumerate() {
-            let place = Rect { x: band.x + NUMBERS + width * plane as u16, width: width.saturating_sub(1), ..band };
-            render_plane(name, component, rotor, &shapes, moment.largest[0], theme, place, buffer);
+            let left = band.x + shape_numbers::WIDTH + width * plane as u16;
+            let place = Rect { x: left + NAME, width: width.saturating_sub(NAME + 1), ..band };
+            let middle = Plane { rotor, component, largest: moment.largest[0] }.render(&shapes, theme, place, buffer);
+            buffer.set_stringn(left, middle, name, usize::from(NAME), theme.faint);
         }
     }
 }
 
-/// Motions along and about the axis at the mesh, and the drive's: of the largest displacement, and of the largest rotation about an axis.
-fn render_numbers(
-    side: Side,
-    rotor: &RotorDesign,
-    shapes: &[(ShapeOf, &StationShape<f64>)],
-    largest: [f64; 2],
-    theme: &Theme,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let heads: Vec<String> = shapes.iter().map(|(of, _)| format!("{:>6}", short(*of))).collect();
-    let heads = heads.concat();
-    let part =
-        |value: f64, whole: f64| if whole > 0.0 { format!("{:>6.2}", value / whole) } else { format!("{:>6}", "-") };
-    let at_mesh = |shape: &StationShape<f64>, component: usize| {
-        let distance = |position: f64| (position - rotor.mesh_position).abs();
-        let stations = shape.positions.iter().zip(&shape.displacements);
-        stations.min_by(|a, b| distance(*a.0).total_cmp(&distance(*b.0))).map_or(0.0, |(_, station)| station[component])
-    };
-    let line = |value: &dyn Fn(&StationShape<f64>) -> f64, whole: f64| -> String {
-        shapes.iter().map(|(_, shape)| part(value(shape), whole)).collect()
-    };
-    let [across, about] = largest;
-    let lines = [
-        (format!(" {:<7}{heads}", side.name()), theme.title),
-        (format!(" axial  {}", line(&|shape| at_mesh(shape, 1), across)), Style::new()),
-        (format!(" torsion{}", line(&|shape| at_mesh(shape, 4), about)), Style::new()),
-        (format!(" drive  {}", line(&|shape| shape.drive.unwrap_or_default(), about)), Style::new()),
-    ];
-    let count = if rotor.drive.is_some() { lines.len() } else { lines.len() - 1 };
-    for ((text, style), y) in lines.into_iter().take(count).zip(area.top()..area.bottom()) {
-        buffer.set_stringn(area.x, y, text, usize::from(NUMBERS), style);
-    }
-}
-
-#[allow(clippy::too_many_arguments, reason = "what is drawn, and where")]
-fn render_plane(
-    name: &str,
+/// One plane of a shaft.
+struct Plane<'a> {
+    rotor: &'a RotorDesign,
+    /// The displacement that is drawn
     component: usize,
-    rotor: &RotorDesign,
-    shapes: &[(ShapeOf, &StationShape<f64>)],
+    /// m, at the edge of the picture
     largest: f64,
-    theme: &Theme,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    if area.is_empty() {
-        return;
-    }
-    let length = shapes.iter().filter_map(|(_, shape)| shape.positions.last().copied()).fold(0.0, f64::max);
-    let start = shapes.iter().filter_map(|(_, shape)| shape.positions.first().copied()).fold(0.0, f64::min);
-    let axis = FrequencyAxis { min: start, max: length, log: false };
-    let mut canvas = Canvas::new(area.width, area.height, theme.marker);
-    let range = Range { low: -1.0, high: 1.0 };
-    let (_, down) = theme.marker.dots();
-    let middle = area.y + (range.row(0.0, canvas.dots_high()).max(0) as usize / down) as u16;
-    for x in area.left()..area.right() {
-        put(buffer, x, middle, theme.glyphs.horizontal, theme.border);
-    }
-    buffer.set_stringn(area.x, area.y, name, usize::from(area.width), theme.faint);
-    // a shaft without length has nothing to draw along
-    if length.partial_cmp(&start) != Some(std::cmp::Ordering::Greater)
-        || largest.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater)
-    {
-        return;
-    }
-    let [solid, enhanced, basic] = theme.marker.dashes();
-    for (of, shape) in shapes.iter().rev() {
-        let values: Vec<f64> = shape.displacements.iter().map(|station| station[component] / largest).collect();
-        let columns = envelope(&shape.positions, &values, &axis, canvas.dots_wide());
-        let letters = theme.glyphs.letters;
-        let (dash, style, letter) = match of {
-            ShapeOf::Fe => (solid, theme.fe, letters[0]),
-            ShapeOf::Lumped(0) => (enhanced, theme.enhanced, letters[1]),
-            ShapeOf::Lumped(_) => (basic, theme.basic, letters[2]),
-        };
-        draw_curve(&mut canvas, &columns, range, dash, Pen { style, letter });
-    }
-    canvas.render(area, buffer);
-    let mut mark = |position: f64, character: char| {
-        let fraction = axis.fraction(position);
-        if (0.0..=1.0).contains(&fraction) {
-            let x = area.x + ((fraction * f64::from(area.width)) as u16).min(area.width - 1);
-            put(buffer, x, middle, character, theme.title);
-        }
-    };
-    for bearing in &rotor.bearings {
-        let is_rigid = matches!(bearing.model, BearingModel::Rigid(_));
-        mark(bearing.position, if is_rigid { theme.glyphs.rigid_bearing } else { theme.glyphs.bearing });
-    }
-    mark(rotor.mesh_position, theme.glyphs.mesh);
 }
 
-fn short(of: ShapeOf) -> &'static str {
-    match of {
-        ShapeOf::Fe => "FE",
-        ShapeOf::Lumped(0) => "enh.",
-        ShapeOf::Lumped(_) => "basic",
+impl Plane<'_> {
+    /// Draws the plane, and says in which row its axis is.
+    fn render(
+        &self,
+        shapes: &[(ModelKind, &StationShape<f64>)],
+        theme: &Theme,
+        area: Rect,
+        buffer: &mut Buffer,
+    ) -> u16 {
+        let length = shapes.iter().filter_map(|(_, shape)| shape.positions.last().copied()).fold(0.0, f64::max);
+        let start = shapes.iter().filter_map(|(_, shape)| shape.positions.first().copied()).fold(0.0, f64::min);
+        let axis = FrequencyAxis { min: start, max: length, log: false };
+        let mut canvas = Canvas::new(area.width, area.height, theme.marker);
+        let range = Range { low: -1.0, high: 1.0 };
+        let (dots, down) = (canvas.dots_high(), theme.marker.dots().1);
+        let row = |value: f64| {
+            let dot = range.row(value, dots).max(0) as usize;
+            area.y + ((dot / down) as u16).min(area.height.saturating_sub(1))
+        };
+        let middle = row(0.0);
+        for x in area.left()..area.right() {
+            put(buffer, x, middle, theme.glyphs.horizontal, theme.border);
+        }
+        // a shaft without length has nothing to draw along
+        if area.is_empty()
+            || length.partial_cmp(&start) != Some(std::cmp::Ordering::Greater)
+            || self.largest.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater)
+        {
+            return middle;
+        }
+        let mut letters = Vec::new();
+        for (of, shape) in shapes.iter().rev() {
+            let values: Vec<f64> =
+                shape.displacements.iter().map(|station| station[self.component] / self.largest).collect();
+            let (dash, pen) = pen(*of, theme);
+            if *of != ModelKind::Fe {
+                let cells = envelope(&shape.positions, &values, &axis, usize::from(area.width));
+                let places = (area.left()..area.right()).zip(cells).skip(1).step_by(usize::from(LETTERS_APART));
+                letters
+                    .extend(places.filter_map(|(x, cell)| cell.map(|(low, high)| (x, row(0.5 * (low + high)), pen))));
+            }
+            let columns = envelope(&shape.positions, &values, &axis, canvas.dots_wide());
+            draw_curve(&mut canvas, &columns, range, dash, pen);
+        }
+        canvas.render(area, buffer);
+        for (x, y, pen) in letters {
+            put(buffer, x, y, pen.letter, pen.style);
+        }
+        self.render_supports(&axis, theme, Rect { y: middle, height: 1, ..area }, buffer);
+        middle
     }
+
+    /// The bearings and the mesh, on the axis.
+    fn render_supports(&self, axis: &FrequencyAxis, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+        let mut mark = |position: f64, character: char| {
+            let fraction = axis.fraction(position);
+            if (0.0..=1.0).contains(&fraction) {
+                let x = area.x + ((fraction * f64::from(area.width)) as u16).min(area.width - 1);
+                put(buffer, x, area.y, character, theme.title);
+            }
+        };
+        for bearing in &self.rotor.bearings {
+            let is_rigid = matches!(bearing.model, BearingModel::Rigid(_));
+            mark(bearing.position, if is_rigid { theme.glyphs.rigid_bearing } else { theme.glyphs.bearing });
+        }
+        mark(self.rotor.mesh_position, theme.glyphs.mesh);
+    }
+}
+
+/// What the legend says of a model's curve.
+pub fn sample(of: ModelKind, theme: &Theme) -> (String, Style) {
+    let (_, pen) = pen(of, theme);
+    let sample = if of == ModelKind::Fe { theme.marker.samples()[0].to_owned() } else { pen.letter.to_string() };
+    (sample, pen.style)
 }

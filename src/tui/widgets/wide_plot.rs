@@ -55,7 +55,8 @@ pub fn legend_name(kind: ModelKind) -> String {
     }
 }
 
-fn pen(kind: ModelKind, theme: &Theme) -> (Dash, Pen) {
+/// What a model's curve is drawn with.
+pub fn pen(kind: ModelKind, theme: &Theme) -> (Dash, Pen) {
     let [solid, dashed, dotted] = theme.marker.dashes();
     let [fe, enhanced, basic] = theme.glyphs.letters;
     let (dash, letter) = match kind {
@@ -155,7 +156,7 @@ fn draw_differences(
 }
 
 /// The axis of the values: levels on tens, others on round numbers.
-fn draw_scale(range: Range, levels: bool, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+pub fn draw_scale(range: Range, levels: bool, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
     let axis = plot.x - 1;
     for y in plot.top()..plot.bottom() {
         put(buffer, axis, y, theme.glyphs.vertical, theme.border);
