@@ -8,7 +8,7 @@ use std::sync::mpsc::{self, Sender};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use bevelscope::agreement::disagreement_bands;
+use bevelscope::agreement::{ModalComparison, disagreement_bands};
 use bevelscope::comparison::{Comparison, Observer, SolveError, solve, solve_with_bearings};
 use bevelscope::design::library::SHIPPED;
 use bevelscope::design::{self, Design};
@@ -18,7 +18,7 @@ use bevelscope::tui::caps::{Capabilities, ColourDepth};
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::solving::Ticket;
-use bevelscope::tui::spectra::{ModelCurves, Part, SpectraJob, SpectraView, Subject};
+use bevelscope::tui::spectra::{ModelCurves, Part, Quantity, SpectraJob, SpectraView, Subject};
 use bevelscope::tui::worker::Worker;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use insta::assert_snapshot;
@@ -185,6 +185,34 @@ fn peaks_are_listed_in_pairs_and_unpaired_ones_as_such() {
     assert_eq!(view(&screen).at_hz(), Some(places[2]));
     screen.keys("P");
     assert_eq!(view(&screen).at_hz(), Some(places[1]));
+}
+
+/// F_m = k_m* (error - e): the same modes make models differ in both. A bearing has its own.
+#[test]
+fn bands_of_every_quantity_have_a_mode_and_a_reason() {
+    let mut screen = wide(120, 40, UNICODE, "v");
+    let (design, rotors, _) = subject();
+    let modes = ModalComparison::new(ModelKind::Enhanced, &design, &rotors).unwrap();
+    let mut quantities = 0;
+    let mut differ = false;
+    while view(&screen).quantity != Quantity::MeshForce {
+        quantities += 1;
+        let view = view(&screen);
+        let findings = view.findings().unwrap();
+        assert!(findings.is_complete && !findings.bands.is_empty(), "{:?}", view.quantity);
+        for band in &findings.bands {
+            let hz = band.mode.as_ref().unwrap().0;
+            assert!(band.sentences.len() > 1, "{:?}", band.sentences);
+            let of_mesh = modes.responsible(band.band.worst_at_hz).unwrap();
+            let same = modes.mode(&of_mesh).unwrap().frequency_hz.to_bits() == hz.to_bits();
+            assert!(same || view.quantity != Quantity::TransmissionError, "{hz} {:?}", band.band);
+            differ |= !same;
+        }
+        assert!(findings.peaks.iter().all(|peak| peak.mode.is_some()), "{:?}", view.quantity);
+        screen.keys("v");
+    }
+    assert_eq!(quantities, 1 + design.pinion.bearings.len() + design.gear.bearings.len());
+    assert!(differ, "a mode that shakes one bearing need not shake the mesh");
 }
 
 /// The highest mesh force of a design of few lines, as it is drawn, is that of a design of many.

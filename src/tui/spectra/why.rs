@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use super::quantity::Quantity;
 use super::solve::Subject;
-use crate::agreement::{
-    Causes, DisagreementBand, LEAST_PARTICIPATION, ModalComparison, PeakPair, disagreement_bands, pair_peaks, peaks,
-};
+use crate::agreement::{Causes, DisagreementBand, ModalComparison, PeakPair, disagreement_bands, pair_peaks, peaks};
 use crate::model::ModelKind;
+use crate::response::Mode;
 
 use super::curve::Curve;
 
@@ -56,33 +55,23 @@ impl Findings {
     ) -> Self {
         let lines = &subject.frequency_hz;
         let quantity = fe.quantity;
+        // without static shapes of a shaft there is no part to speak of
+        let parts = modes.and_then(|modes| Some((modes, quantity.parts(modes, subject)?)));
         let band = |band: DisagreementBand| {
-            // the modes' parts are those in the mesh force
-            let modes = modes.filter(|_| quantity == Quantity::MeshForce);
-            let Some(modes) = modes else { return Band { band, mode: None, sentences: Vec::new() } };
-            let causes = Causes::new(modes, &subject.rotors, band);
+            let Some((modes, parts)) = &parts else { return Band { band, mode: None, sentences: Vec::new() } };
+            let causes = Causes::in_parts(modes, parts, &subject.rotors, band);
             let mode = causes.mode.as_ref().map(|(name, hz, dominant)| (*hz, format!("{name}; {dominant}")));
             Band { band, mode, sentences: causes.sentences() }
         };
         let bands = disagreement_bands(lines, &lumped.lines, &fe.lines, tolerance).into_iter().map(band).collect();
         let pairs = pair_peaks(&peaks(lines, &lumped.lines), &peaks(lines, &fe.lines));
-        let labelled = |pair: PeakPair| Labelled { pair, mode: modes.and_then(|modes| mode_at(modes, &pair)) };
+        let name = |pair: &PeakPair| {
+            let (modes, parts) = parts.as_ref()?;
+            let hz = pair.fe_hz.or(pair.lumped_hz)?;
+            modes.behind_peak(parts, pair.fe_hz.is_none(), hz, lines).map(Mode::name)
+        };
+        let labelled = |pair: PeakPair| Labelled { pair, mode: name(&pair) };
         let peaks = pairs.into_iter().map(labelled).collect();
         Self { against, quantity, tolerance, bands, peaks, is_complete: modes.is_some() }
     }
-}
-
-/// The mode next to a peak, of those that the mesh drives; nothing where none is near.
-fn mode_at(modes: &ModalComparison, pair: &PeakPair) -> Option<String> {
-    const NEAR: f64 = 0.03;
-    let (modes, hz) = match (pair.fe_hz, pair.lumped_hz) {
-        (Some(hz), _) => (&modes.fe, hz),
-        (None, Some(hz)) => (&modes.lumped, hz),
-        (None, None) => return None,
-    };
-    let largest = modes.0.iter().map(|mode| mode.participation).fold(f64::MIN_POSITIVE, f64::max);
-    let driven = modes.0.iter().filter(|mode| mode.participation >= LEAST_PARTICIPATION * largest);
-    let distance = |hz_of_mode: f64| (hz_of_mode - hz).abs();
-    let nearest = driven.min_by(|a, b| distance(a.frequency_hz).total_cmp(&distance(b.frequency_hz)))?;
-    (distance(nearest.frequency_hz) <= NEAR * hz).then(|| nearest.name())
 }
