@@ -72,6 +72,7 @@ pub mod commands;
 pub mod comparison;
 pub mod crash;
 pub mod design;
+pub mod document;
 pub mod gear;
 pub mod log;
 pub mod model;

@@ -55,7 +55,7 @@ fn assert_alone(html: &str) {
 #[test]
 fn pictures_of_a_small_design() {
     for picture in pictures(&small().design, 3.0) {
-        let file = picture.file();
+        let file = picture.file("PROVENANCE");
         parsed(&file);
         insta::assert_snapshot!(format!("report_{}", picture.name), file);
     }
@@ -138,13 +138,13 @@ fn a_million_lines_make_no_larger_picture() {
     let mut design = small().design;
     design.analysis.frequency_lines = 1_000_000;
     let [spectra, ..] = pictures(&design, 3.0);
-    let bytes = spectra.file().len();
+    let bytes = spectra.file("PROVENANCE").len();
     assert!((20_000..200_000).contains(&bytes), "{bytes}");
 }
 
 /// Every number of a picture that is a coordinate, checked to lie in it.
 fn check_coordinates(picture: &Picture) -> Result<(), TestCaseError> {
-    let file = picture.file();
+    let file = picture.file("PROVENANCE");
     let document = parsed(&file);
     let inside = |what: &str, number: &str, high: f64| {
         let value: f64 = number.parse().map_err(|_| TestCaseError::fail(format!("{what}: {number:?}")))?;

@@ -3,9 +3,9 @@
 
 mod tui_support;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::Arc;
 use std::sync::mpsc::{self, Sender};
-use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bevelscope::agreement::{ModalComparison, disagreement_bands};
@@ -249,63 +249,6 @@ fn curves_are_switched_and_the_reduced_model_grows() {
     assert!(view(&screen).findings().unwrap().is_complete);
     screen.keys(&"-".repeat(9));
     assert_eq!(view(&screen).against(), ModelKind::Reduced(0));
-}
-
-/// Files that are written go to a list; the name `taken` is.
-struct Writing(Shelf, Arc<Mutex<Vec<String>>>);
-
-impl Backend for Writing {
-    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
-        self.0.load(path)
-    }
-
-    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
-        self.0.compare(design, observer)
-    }
-
-    fn read(&self, path: &Path) -> Result<String, String> {
-        self.0.read(path)
-    }
-
-    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
-        if path == Path::new("taken.csv") {
-            return Err("taken.csv: there is a file of that name already".into());
-        }
-        self.1.lock().unwrap().push(text.into());
-        Ok(Path::new("/here").join(path))
-    }
-}
-
-#[test]
-fn what_is_shown_is_written_with_version_and_hash() {
-    let (design, rotors, lines) = subject();
-    let written = Arc::new(Mutex::new(Vec::new()));
-    let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Writing(Shelf::shipped(), Arc::clone(&written)));
-    screen.keys("w3iiE");
-    assert!(screen.text().contains("overhung-elastic-mesh_force.csv"), "{}", screen.text());
-    screen.keys("<Ctrl-u>taken.csv<Enter>");
-    assert_eq!(screen.app.mode, Mode::Export);
-    assert!(screen.text().contains("of that name already"), "{}", screen.text());
-    screen.keys("<Ctrl-u>free.csv<Enter>");
-    assert_eq!(screen.app.mode, Mode::Spectra);
-    assert!(screen.text().contains("written: /here/free.csv"), "{}", screen.text());
-    let texts = written.lock().unwrap();
-    let mut rows = texts[0].split("\r\n");
-    let head = rows.next().unwrap();
-    assert!(head.starts_with(&format!("# bevelscope {}", env!("CARGO_PKG_VERSION"))), "{head}");
-    assert!(head.ends_with(&format!("hash {}", design::hash(text().as_bytes()))), "{head}");
-    assert_eq!(
-        rows.next(),
-        Some("frequency_hz,fe_mesh_force_n_re,fe_mesh_force_n_im,enhanced_mesh_force_n_re,enhanced_mesh_force_n_im")
-    );
-    let force = solve(ModelKind::Fe, &design, &rotors, &lines).unwrap().mesh_force;
-    let axis = view(&screen).axis().unwrap();
-    let mut wanted = lines.iter().zip(&force).filter(|(f, _)| (axis.min..=axis.max).contains(*f));
-    for row in rows.filter(|row| !row.is_empty()) {
-        let (f, force) = wanted.next().unwrap();
-        assert!(row.starts_with(&format!("{f:?},{:?},{:?},", force.re, force.im)), "{row}");
-    }
-    assert!(wanted.next().is_none());
 }
 
 #[test]

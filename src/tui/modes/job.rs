@@ -45,16 +45,19 @@ pub fn perform(job: &ModesJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool)
     let in_words = |error: SolveError| error.to_string();
     let result = match &job.wanted {
         Wanted::Modes { path, unsaved } => guarded(|| {
-            let design = match unsaved {
-                None => backend.load(path).map_err(|broken| Some(broken.one_line))?.design,
+            let (design, hash) = match unsaved {
+                None => {
+                    let loaded = backend.load(path).map_err(|broken| Some(broken.one_line))?;
+                    (loaded.design, loaded.hash)
+                }
                 Some(text) => {
                     let reading = design::read(text);
                     let error = reading.errors().next().map(tui::widgets::findings::sentence).unwrap_or_default();
-                    reading.design.ok_or(Some(error))?
+                    (reading.design.ok_or(Some(error))?, Some(design::hash(text.as_bytes())))
                 }
             };
             match backend.modes(&design, wanted) {
-                Ok(study) => Ok(Answer::Modes(Arc::new(study))),
+                Ok(study) => Ok(Answer::Modes(Arc::new(Study { hash, ..study }))),
                 Err(SolveError::Cancelled) => Err(None),
                 Err(error) => Err(Some(in_words(error))),
             }

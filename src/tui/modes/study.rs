@@ -17,6 +17,8 @@ use crate::response::{
 #[derive(Debug, Clone)]
 pub struct Study {
     pub design: Design,
+    /// Of its file, or of what that would be if it were saved; nothing where there is none
+    pub hash: Option<String>,
     pub fe: ModelStudy,
     /// Enhanced, basic
     pub lumped: [ModelStudy; 2],
@@ -77,7 +79,7 @@ impl Study {
                 }
             }
         }
-        Ok(Self { design: design.clone(), fe, lumped, pairs, mac: [enhanced_mac, basic_mac] })
+        Ok(Self { design: design.clone(), hash: None, fe, lumped, pairs, mac: [enhanced_mac, basic_mac] })
     }
 
     /// Displacements under the mesh force at `at_hz` (Hz, greater than 0).

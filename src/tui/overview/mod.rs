@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
 
 pub use column::Column;
-pub use outline::{outline, sparks};
+pub use outline::{SPAN_DB, outline, sparks};
 
 use super::action::Action;
 use super::app::{App, Scroll};

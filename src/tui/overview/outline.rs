@@ -8,7 +8,7 @@ use crate::tui::traces::levels;
 const COLUMNS: usize = 120;
 
 /// Levels that the shades span, dB: what lies lower is drawn as the lowest.
-const SPAN_DB: f64 = 40.0;
+pub const SPAN_DB: f64 = 40.0;
 
 /// The highest level in each of a few columns with as many lines each, dB re 1 N.
 pub fn outline(force: &[Complex64]) -> Vec<f64> {

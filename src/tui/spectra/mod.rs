@@ -5,8 +5,6 @@
 
 mod columns;
 mod curve;
-mod export;
-mod form;
 mod job;
 mod keys;
 mod quantity;
@@ -19,11 +17,9 @@ use std::path::PathBuf;
 
 pub use columns::{Drawn, Request};
 pub use curve::Curve;
-pub use export::Export;
-pub use form::ExportForm;
 pub use job::{Known, Part, SpectraJob, perform};
 pub use quantity::Quantity;
-pub use readout::{Item, level_text, value};
+pub use readout::{Item, level_text, name, value};
 pub use solve::{ModelCurves, Subject};
 pub use why::{Band, Findings, Labelled};
 
@@ -69,6 +65,8 @@ pub struct SpectraView {
     pub name: String,
     pub path: PathBuf,
     text: Option<String>,
+    /// What is shown is not what the file holds.
+    is_edited: bool,
     pub known: Known,
     /// How far the model is that is being solved, from 0 to 1; nothing where all is there.
     pub pending: Option<f64>,
@@ -93,19 +91,19 @@ pub struct SpectraView {
     /// A line of the analysis
     pub cursor: usize,
     pub scroll: Scroll,
-    pub form: Option<ExportForm>,
     /// Columns of the plot that was drawn last
     width: usize,
     drawn: Option<Drawn>,
 }
 
 impl SpectraView {
-    fn new(ticket: Ticket, name: String, path: PathBuf, text: Option<String>) -> Self {
+    fn new(ticket: Ticket, name: String, path: PathBuf, text: Option<String>, is_edited: bool) -> Self {
         Self {
             ticket,
             name,
             path,
             text,
+            is_edited,
             known: Known::default(),
             pending: Some(0.0),
             failure: None,
@@ -122,10 +120,13 @@ impl SpectraView {
             window: None,
             cursor: 0,
             scroll: Scroll::default(),
-            form: None,
             width: 0,
             drawn: None,
         }
+    }
+
+    pub fn is_edited(&self) -> bool {
+        self.is_edited
     }
 
     /// All four models.

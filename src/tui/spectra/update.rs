@@ -20,9 +20,10 @@ impl App {
             let Some(row) = self.library.selected() else { return Vec::new() };
             (row.name(), row.path.clone(), self.editors.unsaved_text(&row.path))
         };
-        let unsaved = if self.editors.unsaved_text(&path).is_some() { " (unsaved edits)" } else { "" };
+        let is_edited = self.editors.unsaved_text(&path).is_some();
+        let unsaved = if is_edited { " (unsaved edits)" } else { "" };
         let ticket = self.ticket();
-        self.spectra = Some(SpectraView::new(ticket, name + unsaved, path, text));
+        self.spectra = Some(SpectraView::new(ticket, name + unsaved, path, text, is_edited));
         self.open(Mode::Spectra);
         self.ask_for_spectra()
     }
@@ -60,9 +61,10 @@ impl App {
         let own = matches!(self.mode, Mode::Spectra);
         match action {
             Action::OpenSpectra => return Some(self.open_spectra()),
-            Action::ExportShown if own => self.open_export(),
             Action::Why if own => self.open_why(),
-            Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy => return None,
+            Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy | Action::ExportShown => {
+                return None;
+            }
             _ if own => {
                 let view = self.spectra.as_mut()?;
                 let against = view.against;
