@@ -3,22 +3,23 @@
 
 mod tui_support;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::{self, Sender};
 use std::time::Duration;
 
-use bevelscope::agreement::{ModalComparison, disagreement_bands};
+use bevelscope::agreement::{ModalComparison, ModalError, disagreement_bands, pair_peaks, peaks};
 use bevelscope::comparison::{Comparison, Observer, SolveError, solve, solve_with_bearings};
 use bevelscope::design::library::SHIPPED;
 use bevelscope::design::{self, Design};
-use bevelscope::model::{ModelKind, Rotors, pinion_speed_rpm};
-use bevelscope::response::frequency_lines;
+use bevelscope::model::{Model, ModelKind, Rotors, mesh_frequency_hz, pinion_speed_rpm};
+use bevelscope::response::{Modes, ResponseError, both_rotor_modes, frequency_lines};
 use bevelscope::tui::caps::{Capabilities, ColourDepth};
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::solving::Ticket;
-use bevelscope::tui::spectra::{ModelCurves, Part, Quantity, SpectraJob, SpectraView, Subject};
+use bevelscope::tui::spectra::{Labelled, ModelCurves, Part, Quantity, SpectraJob, SpectraView, Subject};
 use bevelscope::tui::worker::Worker;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use insta::assert_snapshot;
@@ -344,4 +345,172 @@ fn the_latest_job_ends_what_is_being_solved() {
             _ => {}
         }
     }
+}
+
+#[test]
+fn panning_moves_the_window_by_a_quarter_and_stops_at_the_ends() {
+    for keys in ["", "x"] {
+        let mut screen = wide(80, 24, UNICODE, keys);
+        let all = view(&screen).axis().unwrap();
+        assert_eq!(view(screen.keys("<>")).axis().unwrap(), all, "all is in sight");
+        screen.keys("ii");
+        let place = |screen: &Screen| {
+            let axis = view(screen).axis().unwrap();
+            (all.fraction(axis.min), all.fraction(axis.max))
+        };
+        let (from, to) = place(&screen);
+        let quarter = (to - from) / 4.0;
+        for (key, by) in [(">", quarter), ("<", 0.0), ("<", -quarter), (">>", quarter)] {
+            let found = place(screen.keys(key));
+            assert!((found.0 - from - by).abs() < 1e-9 && (found.1 - to - by).abs() < 1e-9, "{key} {found:?}");
+            let (hz, axis) = (view(&screen).at_hz().unwrap(), view(&screen).axis().unwrap());
+            assert!((axis.min..=axis.max).contains(&hz), "the cursor comes along");
+        }
+        assert!(place(screen.keys(&"<".repeat(40))).0.abs() < 1e-9);
+        let end = place(screen.keys(&">".repeat(40)));
+        assert!((end.1 - 1.0).abs() < 1e-9 && (end.1 - end.0 - 0.25).abs() < 1e-9, "{end:?}");
+    }
+}
+
+#[test]
+fn jumps_bring_the_window_along_on_either_axis() {
+    for keys in ["", "x"] {
+        let mut screen = wide(120, 40, UNICODE, keys);
+        screen.keys("<Home>iiii");
+        let bands: Vec<f64> =
+            view(&screen).findings().unwrap().bands.iter().map(|band| band.band.worst_at_hz).collect();
+        let peaks: Vec<f64> = view(&screen).findings().unwrap().peaks.iter().map(Labelled::place).collect();
+        for (key, places) in [("n", &bands), ("p", &peaks)] {
+            screen.keys("<Home>");
+            let first = view(&screen).at_hz().unwrap();
+            for place in places.iter().filter(|place| **place > first) {
+                screen.keys(key);
+                assert_eq!(view(&screen).at_hz(), Some(*place), "{keys} {key}");
+                let axis = view(&screen).axis().unwrap();
+                assert!((axis.min..=axis.max).contains(place), "{keys} {key} {place}");
+            }
+        }
+        // columns of the cursor are those of the axis
+        let mut screen = wide(120, 40, UNICODE, keys);
+        let axis = view(&screen).axis().unwrap();
+        let before = axis.fraction(view(&screen).at_hz().unwrap());
+        let after = axis.fraction(view(screen.keys("L")).at_hz().unwrap());
+        let columns = (after - before) * 54.0;
+        assert!((9.0..=11.0).contains(&columns), "{keys} {columns}");
+    }
+}
+
+#[test]
+fn the_readout_is_copied() {
+    let mut screen = wide(80, 24, UNICODE, "");
+    screen.effects.clear();
+    screen.keys("y");
+    assert!(screen.effects.iter().any(|effect| matches!(effect, Effect::Copy(_))), "{:?}", screen.effects);
+    assert!(screen.text().contains("sent to terminal: Dynamic mesh force"), "{}", screen.text());
+    assert!(view(&screen).readout_text().unwrap().contains("dB"));
+}
+
+#[test]
+fn monochrome_and_sixteen_colours_80x24() {
+    assert_snapshot!("spectra_sixteen", wide(80, 24, UNICODE, "n").styles());
+    assert_snapshot!(
+        "spectra_monochrome",
+        wide(80, 24, Capabilities { colour: ColourDepth::None, ..UNICODE }, "n").styles()
+    );
+}
+
+/// Where plots and list have no room together, the list takes the place of the plots.
+#[test]
+fn the_list_alone_60x18() {
+    let mut screen = wide(60, 18, UNICODE, "");
+    assert!(!screen.text().contains("from Hz"));
+    screen.keys("an");
+    assert_snapshot!("spectra_list_60x18", screen.text());
+    assert!(screen.keys("a").text().contains("peaks, FE and enhanced"), "{}", screen.text());
+    assert!(!screen.keys("a").text().contains("FE Hz"), "the plots again");
+    // one level back at a time
+    screen.keys("a<Esc>");
+    assert_eq!(screen.app.mode, Mode::Spectra);
+    assert!(!screen.text().contains("from Hz"));
+    assert_ne!(screen.keys("<Esc>").app.mode, Mode::Spectra);
+}
+
+#[test]
+fn peaks_of_the_other_lumped_model_stand_beside() {
+    let (design, rotors, lines) = subject();
+    let force = |kind| solve(kind, &design, &rotors, &lines).unwrap().mesh_force;
+    let of = |kind| peaks(&lines, &force(kind));
+    for (keys, other) in [("", ModelKind::Basic), ("m", ModelKind::Enhanced)] {
+        let screen = wide(120, 40, UNICODE, keys);
+        let findings = view(&screen).findings().unwrap();
+        assert_eq!(findings.beside, Some(other));
+        let wanted: Vec<(f64, Option<f64>)> = pair_peaks(&of(other), &of(ModelKind::Fe))
+            .iter()
+            .filter_map(|pair| Some((pair.fe_hz?, pair.lumped_hz)))
+            .collect();
+        let found: Vec<(f64, Option<f64>)> =
+            findings.peaks.iter().filter_map(|peak| Some((peak.pair.fe_hz?, peak.beside_hz))).collect();
+        assert_eq!(found, wanted);
+        assert!(found.iter().any(|(_, beside)| beside.is_some()));
+    }
+    // a model that is not solved has none
+    let mut screen = wide(120, 40, UNICODE, "a");
+    assert!(screen.text().contains("basic Hz"), "{}", screen.text());
+    let peak = screen.keys("<Home>p");
+    assert!(peak.text().contains("peak: torsion of both"), "{}", peak.text());
+}
+
+/// f = N n / 60: 14 teeth at 1,500 rpm are 350 Hz.
+#[test]
+fn mesh_frequency_and_harmonics_are_marked_where_a_speed_is_given() {
+    let mut screen = Screen::with(&[STEM], 120, 40, UNICODE, Shelf::shipped());
+    let axis_row = |screen: &Screen| {
+        let row = screen.text().lines().position(|line| line.contains("  Hz ")).unwrap() - 1;
+        screen.line(u16::try_from(row).unwrap())
+    };
+    assert!(!axis_row(screen.keys("w")).contains('1'));
+    screen.keys("<Esc>");
+    let text = format!("{}\n[operating]\npinion_speed_rpm = 1500.0\n", text());
+    let mut design = design::read(&text).design.unwrap();
+    assert_eq!(design.pinion.teeth, Some(14));
+    assert!((mesh_frequency_hz(&design).unwrap() - 350.0).abs() < 1e-9);
+    screen.keys("w");
+    let view = screen.app.spectra.as_mut().unwrap();
+    view.known.subject = Some(Arc::new(Subject::new(design.clone(), None).unwrap()));
+    screen.draw();
+    let row = axis_row(&screen);
+    for order in 1..=9_u32 {
+        let axis = screen.app.spectra.as_ref().unwrap().axis().unwrap();
+        let column = row.chars().position(|letter| Some(letter) == char::from_digit(order, 10)).unwrap();
+        let first = row.chars().position(|letter| letter == '1').unwrap();
+        let each = (row.chars().position(|letter| letter == '9').unwrap() - first) as f64 / 8.0;
+        assert!((column as f64 - first as f64 - each * f64::from(order - 1)).abs() <= 1.0, "{order}: {row}");
+        assert!(f64::from(order) * 350.0 < axis.max);
+    }
+    assert!(screen.text().contains("mesh 350 Hz at 1,500 rpm"), "{}", screen.text());
+    design.operating = None;
+    assert_eq!(mesh_frequency_hz(&design), None);
+}
+
+#[test]
+fn looking_for_modes_can_be_given_up() {
+    let (design, rotors, _) = subject();
+    let mut asked = 0;
+    let mut done = || {
+        asked += 1;
+        if asked > 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let ended = ModalComparison::over(ModelKind::Enhanced, &design, &rotors, &mut done);
+    assert!(matches!(ended, Err(ModalError::Cancelled)));
+    assert_eq!(asked, 101, "at once");
+    // also while the modes with the mesh are made from those without
+    let model = Model::new(ModelKind::Fe, &design, &rotors).unwrap();
+    let uncoupled = both_rotor_modes(&model).unwrap();
+    let mut left = 3;
+    let mut done = |_| {
+        left -= 1;
+        if left > 0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let ended = Modes::with_rotor_modes_over(&model, &uncoupled, usize::MAX, &mut done);
+    assert_eq!((ended, left), (Err(ResponseError::Cancelled), 0));
 }

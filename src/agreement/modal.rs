@@ -1,14 +1,15 @@
 //! The modes of a lumped model beside those of finite elements, and which of them makes the two differ at a frequency.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use num_complex::Complex64;
 
 use super::parts::{Part, Parts};
 use super::{ModePair, pair_modes};
-use crate::design::Design;
+use crate::design::{Design, Side};
 use crate::model::{Model, ModelError, ModelKind, Rotors};
-use crate::response::{Mode, Modes, ResponseError};
+use crate::response::{Mode, Modes, ResponseError, rotor_modes_over};
 
 /// Finite element modes that lumped ones are paired with: the lowest, since the shape of a high one at the mesh alone says little.
 pub const COMPARED_FE_MODES: usize = 40;
@@ -32,6 +33,8 @@ pub enum ModalError {
     Model(#[from] ModelError),
     #[error("{} model: {error}", kind.name())]
     Response { kind: ModelKind, error: ResponseError },
+    #[error("cancelled")]
+    Cancelled,
 }
 
 /// The mode that makes most of the difference at a frequency: one of finite elements, or a lumped one that these do not have.
@@ -50,9 +53,30 @@ impl ModalComparison {
     ///
     /// A model that cannot be built, or whose modes cannot be computed.
     pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Self, ModalError> {
-        let modes = |kind| -> Result<(Model, Modes), ModalError> {
+        Self::over(kind, design, rotors, &mut || ControlFlow::Continue(()))
+    }
+
+    /// As [`Self::new`]; `done` is asked often whether to go on.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`]; [`ModalError::Cancelled`] where `done` breaks.
+    pub fn over(
+        kind: ModelKind,
+        design: &Design,
+        rotors: &Rotors,
+        done: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, ModalError> {
+        let mut modes = |kind| -> Result<(Model, Modes), ModalError> {
+            let failed = |error| match error {
+                ResponseError::Cancelled => ModalError::Cancelled,
+                error => ModalError::Response { kind, error },
+            };
+            let mut done = |_| done();
             let model = Model::new(kind, design, rotors)?;
-            let modes = Modes::new(&model, usize::MAX).map_err(|error| ModalError::Response { kind, error })?;
+            let pinion = rotor_modes_over(&model.pinion, Side::Pinion, &mut done).map_err(failed)?;
+            let both = [pinion, rotor_modes_over(&model.gear, Side::Gear, &mut done).map_err(failed)?];
+            let modes = Modes::with_rotor_modes_over(&model, &both, usize::MAX, &mut done).map_err(failed)?;
             Ok((model, modes))
         };
         let ((fe_model, fe), (lumped_model, lumped)) = (modes(ModelKind::Fe)?, modes(kind)?);

@@ -86,6 +86,7 @@ fn no_such(path: &Path) -> String {
 }
 
 /// Designs from disk, solved here.
+#[derive(Debug)]
 pub struct Files {
     /// The folders and files of the library. A file that is named here follows its renaming.
     paths: Mutex<Vec<PathBuf>>,

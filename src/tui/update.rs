@@ -270,7 +270,6 @@ impl App {
             | Action::Delete
             | Action::Palette
             | Action::Messages
-            | Action::ExportShown
             | Action::Help => {
                 self.open_for(action);
                 Vec::new()
@@ -321,7 +320,6 @@ impl App {
             Action::Delete => self.ask_to_delete(),
             Action::Palette => self.open_palette(),
             Action::Messages => self.open_messages(),
-            Action::ExportShown => self.open_export(),
             Action::Help => self.open_help(),
             _ => {}
         }

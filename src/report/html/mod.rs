@@ -3,6 +3,7 @@
 mod bands;
 mod design;
 mod figures;
+mod masses;
 mod modes;
 mod shown;
 mod table;
@@ -111,6 +112,7 @@ impl Article<'_> {
             self.section("Sixth-octave levels", &format!("{levels}{}", bands::levels(study))),
             self.section("Resonance peaks", &figures::peaks(study)),
             self.section("Natural modes with the mesh", &modes::render(study)),
+            self.section("Masses at the mesh", &masses::render(study)),
             self.section("Side view", &side_view),
             self.section("The design", &design::render(loaded)),
             self.section("Warnings and fallbacks", &design::warnings(loaded, study)),

@@ -95,7 +95,7 @@ impl App {
                 if form.is_some() {
                     self.close_export();
                 }
-                self.say(format!("written: {}", printable(&path.display().to_string())));
+                self.say_in_sight(format!("written: {}", printable(&path.display().to_string())));
             }
             (Err(error), Some(form)) => {
                 form.pending = false;

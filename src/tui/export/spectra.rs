@@ -5,7 +5,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::document::{Column, Curve, Document, Line, Mark, Panel, Panels, Picture, Source, Span, Table, Values};
-use crate::model::{ModelKind, RecoveryKind};
+use crate::model::{ModelKind, RecoveryKind, mesh_frequency_hz};
 use crate::number::{grouped, significant};
 use crate::text::printable;
 use crate::tui::axis::FrequencyAxis;
@@ -87,6 +87,9 @@ impl ShownSpectra {
         if matches!(self.quantity, Quantity::Bearing { .. }) && self.models.iter().any(is_recovered) {
             notes.push("Bearing forces of the lumped models are recovered by static shapes.".into());
         }
+        notes.extend(mesh_frequency_hz(&self.subject.design).map(|hz| {
+            format!("Mesh frequency at the speed of the design: {} Hz; it and its harmonics are marked 1\u{d7}, 2\u{d7} and so on.", grouped(hz))
+        }));
         notes.extend(self.readout.as_ref().map(|readout| format!("At the cursor: {readout}.")));
         for (at, band) in self.findings.iter().flat_map(|findings| findings.bands.iter().enumerate()) {
             if !band.sentences.is_empty() {
@@ -137,13 +140,17 @@ impl ShownSpectra {
         let peaks =
             peaks.filter_map(|(at, peak)| Some(Mark { hz: peak.pair.fe_hz?, text: (at + 1).to_string(), line: false }));
         let cursor = self.cursor.map(|hz| Mark { hz, text: String::new(), line: true });
+        let mesh = mesh_frequency_hz(&self.subject.design);
+        let harmonics = mesh.into_iter().flat_map(|hz| (1..=9).map(move |order| (f64::from(order), hz)));
+        let harmonics =
+            harmonics.map(|(order, hz)| Mark { hz: order * hz, text: format!("{order}\u{d7}"), line: true });
         Panels {
             range: (self.axis.min, self.axis.max),
             log: self.axis.log,
             panels: vec![self.upper(self.quantity), self.below()],
             bands: spans.collect(),
             band: format!("{} off by more than {} dB, line by line", name(self.against), self.tolerance),
-            marks: peaks.chain(cursor).collect(),
+            marks: peaks.chain(harmonics).chain(cursor).collect(),
         }
     }
 
@@ -283,12 +290,18 @@ fn peaks(findings: &Findings) -> Table {
     let hz = |hz: Option<f64>| hz.map(|hz| significant(hz, 5));
     let signed = |value: Option<f64>| value.map(|value| format!("{value:+.2}"));
     let against = name(findings.against);
+    let beside = findings.beside.map_or_else(|| "other, Hz".into(), |kind| format!("{}, Hz", name(kind)));
     Table {
         caption: format!("Peaks of FE and {against}, paired by frequency within 15 %; a dash: no partner"),
         columns: vec![
             Column::new("peak", "peak", Values::Texts((1..=all.len()).map(|at| at.to_string()).collect())),
             Column::new("fe_hz", "FE, Hz", numbers(&|pair| hz(pair.fe_hz))),
             Column::new("lumped_hz", format!("{against}, Hz"), numbers(&|pair| hz(pair.lumped_hz))),
+            Column::new(
+                "beside_hz",
+                beside,
+                Values::Figures(all.iter().map(|one| hz(one.beside_hz).unwrap_or_default()).collect()),
+            ),
             Column::new("shift_percent", "shift, %", numbers(&|pair| signed(pair.shift_percent))),
             Column::new("height_db", "height, dB", numbers(&|pair| signed(pair.height_db))),
             Column::new(

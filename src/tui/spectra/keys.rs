@@ -40,6 +40,14 @@ impl SpectraView {
                 let at = self.lower as usize + 1;
                 self.lower = Lower::ALL[at % Lower::ALL.len()];
             }
+            Action::ListPeaks if !self.has_room => match (self.list_alone, self.listed) {
+                (true, Listed::Bands) => self.listed = Listed::Peaks,
+                (true, _) => self.list_alone = false,
+                (false, _) => {
+                    self.list_alone = true;
+                    self.listed = Listed::Bands;
+                }
+            },
             Action::ListPeaks => {
                 self.listed = match self.listed {
                     Listed::Bands => Listed::Peaks,

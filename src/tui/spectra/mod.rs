@@ -27,7 +27,7 @@ use super::app::Scroll;
 use super::axis::FrequencyAxis;
 use super::solving::Ticket;
 use crate::design::FrequencySpacing;
-use crate::model::ModelKind;
+use crate::model::{ModelKind, mesh_frequency_hz, pinion_speed_rpm};
 
 /// Modes a rotor of the reduced model, at first and at most.
 const FIRST_REDUCED: usize = 3;
@@ -91,6 +91,10 @@ pub struct SpectraView {
     /// A line of the analysis
     pub cursor: usize,
     pub scroll: Scroll,
+    /// Plots and list are seen together, which is known when they are drawn.
+    pub has_room: bool,
+    /// The list is wanted where they are not.
+    list_alone: bool,
     /// Columns of the plot that was drawn last
     width: usize,
     drawn: Option<Drawn>,
@@ -120,6 +124,8 @@ impl SpectraView {
             window: None,
             cursor: 0,
             scroll: Scroll::default(),
+            has_room: true,
+            list_alone: false,
             width: 0,
             drawn: None,
         }
@@ -192,6 +198,24 @@ impl SpectraView {
         (band.from_hz..=band.to_hz).contains(&hz).then_some(at)
     }
 
+    /// Whether the list is shown in place of the plots.
+    pub fn is_list_alone(&self) -> bool {
+        !self.has_room && self.list_alone && self.listed != Listed::Nothing
+    }
+
+    /// The peak that the cursor is on.
+    pub fn peak_under(&self) -> Option<&Labelled> {
+        let peak = &self.findings()?.peaks[self.peak_at()?];
+        (peak.place().to_bits() == self.at_hz()?.to_bits()).then_some(peak)
+    }
+
+    /// The mesh frequency, Hz, at the speed (1/min) that the design gives.
+    pub fn mesh_frequency(&self) -> Option<(f64, f64)> {
+        let design = &self.known.subject.as_ref()?.design;
+        let hz = mesh_frequency_hz(design)?;
+        Some((hz, pinion_speed_rpm(design, hz)?))
+    }
+
     /// The peak next to the cursor.
     pub fn peak_at(&self) -> Option<usize> {
         let hz = self.at_hz()?;
@@ -209,7 +233,11 @@ impl SpectraView {
                 self.cursor = subject.frequency_hz.len() / 2;
             }
             Part::Model(model) => self.missing.retain(|kind| *kind != model.kind),
-            Part::Progress(done) => self.pending = Some(*done),
+            // nothing else is drawn: of a million lines the columns are not found again for each step
+            Part::Progress(done) => {
+                self.pending = Some(*done);
+                return;
+            }
             Part::Failed(kind, text) => {
                 self.missing.extend(*kind);
                 self.failure = Some(text.clone());
@@ -217,8 +245,11 @@ impl SpectraView {
                     self.pending = None;
                 }
             }
-            Part::Done => self.pending = None,
-            Part::Modes(_) | Part::Findings(_) => {}
+            Part::Done => {
+                self.pending = None;
+                return;
+            }
+            Part::Modes(_) | Part::Findings(_) => return,
         }
         self.drawn = None;
     }

@@ -62,9 +62,7 @@ impl App {
         match action {
             Action::OpenSpectra => return Some(self.open_spectra()),
             Action::Why if own => self.open_why(),
-            Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy | Action::ExportShown => {
-                return None;
-            }
+            Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy => return None,
             _ if own => {
                 let view = self.spectra.as_mut()?;
                 let against = view.against;
@@ -90,6 +88,10 @@ impl App {
     }
 
     pub(in crate::tui) fn close_spectra(&mut self) -> Vec<Effect> {
+        if let Some(view) = self.spectra.as_mut().filter(|view| view.is_list_alone()) {
+            view.list_alone = false;
+            return Vec::new();
+        }
         self.spectra = None;
         self.close();
         vec![Effect::CancelSpectra]

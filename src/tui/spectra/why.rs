@@ -14,6 +14,8 @@ use super::curve::Curve;
 #[derive(Debug)]
 pub struct Findings {
     pub against: ModelKind,
+    /// Another lumped model, whose peaks stand beside
+    pub beside: Option<ModelKind>,
     pub quantity: Quantity,
     /// dB
     pub tolerance: f64,
@@ -35,6 +37,8 @@ pub struct Band {
 #[derive(Debug)]
 pub struct Labelled {
     pub pair: PeakPair,
+    /// Of the other lumped model, the peak that belongs to that of finite elements, Hz
+    pub beside_hz: Option<f64>,
     pub mode: Option<String>,
 }
 
@@ -50,6 +54,7 @@ impl Findings {
         subject: &Subject,
         fe: &Curve,
         (against, lumped): (ModelKind, &Curve),
+        beside: Option<(ModelKind, &Curve)>,
         tolerance: f64,
         modes: Option<&Arc<ModalComparison>>,
     ) -> Self {
@@ -64,14 +69,30 @@ impl Findings {
             Band { band, mode, sentences: causes.sentences() }
         };
         let bands = disagreement_bands(lines, &lumped.lines, &fe.lines, tolerance).into_iter().map(band).collect();
-        let pairs = pair_peaks(&peaks(lines, &lumped.lines), &peaks(lines, &fe.lines));
+        let fe_peaks = peaks(lines, &fe.lines);
+        let pairs = pair_peaks(&peaks(lines, &lumped.lines), &fe_peaks);
+        let others = beside.map_or_else(Vec::new, |(_, curve)| pair_peaks(&peaks(lines, &curve.lines), &fe_peaks));
+        // both are the same lines, bit by bit
+        let bits = |hz: Option<f64>| hz.map(f64::to_bits);
+        let beside_hz = |pair: &PeakPair| {
+            let same = |other: &&PeakPair| pair.fe_hz.is_some() && bits(other.fe_hz) == bits(pair.fe_hz);
+            others.iter().find(same)?.lumped_hz
+        };
         let name = |pair: &PeakPair| {
             let (modes, parts) = parts.as_ref()?;
             let hz = pair.fe_hz.or(pair.lumped_hz)?;
             modes.behind_peak(parts, pair.fe_hz.is_none(), hz, lines).map(Mode::name)
         };
-        let labelled = |pair: PeakPair| Labelled { pair, mode: name(&pair) };
+        let labelled = |pair: PeakPair| Labelled { pair, beside_hz: beside_hz(&pair), mode: name(&pair) };
         let peaks = pairs.into_iter().map(labelled).collect();
-        Self { against, quantity, tolerance, bands, peaks, is_complete: modes.is_some() }
+        Self {
+            against,
+            beside: beside.map(|(kind, _)| kind),
+            quantity,
+            tolerance,
+            bands,
+            peaks,
+            is_complete: modes.is_some(),
+        }
     }
 }
