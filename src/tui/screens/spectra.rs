@@ -29,8 +29,11 @@ use crate::tui::widgets::plot::curve_width;
 use crate::tui::widgets::{figures, findings_list, footer, header, wide_plot};
 
 /// From here on the list stands at the side.
-const WIDE: u16 = 120;
-const SIDE: u16 = 60;
+const WIDE: u16 = 116;
+const SIDE: u16 = 52;
+/// From here on it has more room.
+const VERY_WIDE: u16 = 140;
+const WIDE_SIDE: u16 = 70;
 /// Rows inside the frame from which on there is room for a list below.
 const HIGH: u16 = 16;
 const LIST_ROWS: u16 = 5;
@@ -50,8 +53,9 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
             let inner = panel::frame(body, buffer, &findings_list::title(view, &theme), true, &theme);
             findings_list::render(view, &theme, inner, buffer);
         } else if is_listed && area.width >= WIDE {
-            let plots = Rect { width: body.width - SIDE, ..body };
-            let list = Rect { x: plots.right(), width: SIDE, ..body };
+            let side = if area.width >= VERY_WIDE { WIDE_SIDE } else { SIDE };
+            let plots = Rect { width: body.width - side, ..body };
+            let list = Rect { x: plots.right(), width: side, ..body };
             render_plots(view, false, &theme, plots, buffer);
             let inner = panel::frame(list, buffer, &findings_list::title(view, &theme), false, &theme);
             findings_list::render(view, &theme, inner, buffer);

@@ -65,7 +65,11 @@ impl Findings {
         let band = |band: DisagreementBand| {
             let Some((modes, parts)) = &parts else { return Band { band, mode: None, sentences: Vec::new() } };
             let causes = Causes::in_parts(modes, parts, &subject.rotors, band);
-            let mode = causes.mode.as_ref().map(|(name, hz, dominant)| (*hz, format!("{name}; {dominant}")));
+            let mode = causes.mode.as_ref().map(|(name, hz, dominant)| {
+                let dominant = dominant.to_string();
+                // most names are that of the motion that dominates
+                (*hz, if dominant.starts_with(name.as_str()) { dominant } else { format!("{name}; {dominant}") })
+            });
             Band { band, mode, sentences: causes.sentences() }
         };
         let bands = disagreement_bands(lines, &lumped.lines, &fe.lines, tolerance).into_iter().map(band).collect();

@@ -76,7 +76,7 @@ fn peak_heads(findings: &Findings) -> String {
         kind => format!("{} Hz", super::wide_plot::legend_name(kind)),
     };
     let beside = short(findings.beside.unwrap_or(ModelKind::Basic));
-    format!("  #   FE Hz{:>9}  shift%    dB{beside:>9}  mode", short(findings.against))
+    format!(" #  FE Hz{:>8}  shift%    dB{beside:>9}  mode", short(findings.against))
 }
 
 fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled) -> String {
@@ -89,5 +89,5 @@ fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled) -> String 
     };
     let (height, mode) = (signed(pair.height_db, 1), printable(mode.as_deref().unwrap_or("")));
     let (fe, lumped, beside) = (hz(pair.fe_hz), hz(pair.lumped_hz), hz(*beside_hz));
-    format!("{:>3}{fe:>8}{lumped:>9}{shift:>8}{height:>6}{beside:>9}  {mode}", at + 1)
+    format!("{:>2}{fe:>7}{lumped:>8}{shift:>8}{height:>6}{beside:>9}  {mode}", at + 1)
 }
