@@ -30,6 +30,7 @@ pub struct Panels {
     pub bands: Vec<Span>,
     /// What the shade means
     pub band: String,
+    /// Ascending
     pub marks: Vec<Mark>,
 }
 
@@ -65,7 +66,7 @@ pub struct Span {
 pub struct Mark {
     pub hz: f64,
     pub text: String,
-    /// A line through all panels, else the text alone
+    /// A line through all panels with the text beside it, else the text alone, above
     pub line: bool,
 }
 

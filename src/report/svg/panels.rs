@@ -73,17 +73,21 @@ fn draw_panel(
     for level in panel.levels.iter().filter(|level| (low..=high).contains(*level)) {
         drawing.line(if *level == 0.0 { "zero" } else { "tolerance" }, [x.from, y.at(*level)], [x.to, y.at(*level)]);
     }
-    let mut free = f64::NEG_INFINITY;
+    // names of lines stand inside, those of places above
+    let mut free = [f64::NEG_INFINITY; 2];
     for mark in panels.marks.iter().filter(|mark| (x.low..=x.high).contains(&mark.hz)) {
         let at = x.at(mark.hz);
         if mark.line {
             drawing.line("place", [at, top], [at, bottom]);
         }
         let half = text_width(&mark.text) / 2.0;
-        let middle = at.clamp(half, WIDTH - half);
-        if is_first && middle - half > free {
-            drawing.text("strong", [middle, top - 5.0], Anchor::Middle, &mark.text);
-            free = middle + half + 3.0;
+        let shift = if mark.line { half + 3.0 } else { 0.0 };
+        let middle = (at + shift).clamp(half, x.to.max(half + 1.0) - half);
+        let free = &mut free[usize::from(mark.line)];
+        if is_first && middle - half > *free {
+            let (class, y) = if mark.line { ("faint", top + 13.0) } else { ("strong", top - 5.0) };
+            drawing.text(class, [middle, y], Anchor::Middle, &mark.text);
+            *free = middle + half + 3.0;
         }
     }
     for curve in panel.curves.iter().rev() {

@@ -16,11 +16,14 @@ impl App {
         let names = texts(&|row| safe(&row.stem));
         let hashes = texts(&|row| hash(row).unwrap_or_default());
         let reasons = texts(&|row| reason(row).unwrap_or_default());
-        let table = |figures: &dyn Fn(Of) -> Values| {
+        let any_reason = rows.iter().any(|row| reason(row).is_some());
+        let table = |figures: &dyn Fn(Of) -> Values, has_reasons: bool| {
             let mut columns = vec![Column::new("design", "design", names.clone())];
             columns.extend(Of::ALL[1..].iter().map(|of| Column::new(of.key(), of.name(), figures(*of))));
             columns.push(Column::new("hash", "hash", hashes.clone()));
-            columns.push(Column::new("error", "error", reasons.clone()));
+            if has_reasons {
+                columns.push(Column::new("error", "error", reasons.clone()));
+            }
             Table { caption: "Lumped models against finite elements, over all lines of each analysis".into(), columns }
         };
         let exact = |of: Of| Values::Numbers(rows.iter().map(|row| of.figure(row).unwrap_or(f64::NAN)).collect());
@@ -47,8 +50,8 @@ impl App {
             title: "Overview of designs".into(),
             notes: if filter.is_empty() { Vec::new() } else { vec![format!("Filter: {}", safe(filter))] },
             picture: (!picture.rows.is_empty()).then_some(Picture::Rows(picture)),
-            tables: vec![table(&read)],
-            data: table(&exact),
+            tables: vec![table(&read, any_reason)],
+            data: table(&exact, true),
             sources: sources.collect(),
         }
     }

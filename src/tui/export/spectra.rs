@@ -139,18 +139,20 @@ impl ShownSpectra {
         let peaks = self.findings.iter().flat_map(|findings| findings.peaks.iter().enumerate());
         let peaks =
             peaks.filter_map(|(at, peak)| Some(Mark { hz: peak.pair.fe_hz?, text: (at + 1).to_string(), line: false }));
-        let cursor = self.cursor.map(|hz| Mark { hz, text: String::new(), line: true });
+        let cursor = self.cursor.map(|hz| Mark { hz, text: "cursor".into(), line: true });
         let mesh = mesh_frequency_hz(&self.subject.design);
         let harmonics = mesh.into_iter().flat_map(|hz| (1..=9).map(move |order| (f64::from(order), hz)));
         let harmonics =
             harmonics.map(|(order, hz)| Mark { hz: order * hz, text: format!("{order}\u{d7}"), line: true });
+        let mut marks: Vec<Mark> = peaks.chain(harmonics).chain(cursor).collect();
+        marks.sort_by(|a, b| a.hz.total_cmp(&b.hz));
         Panels {
             range: (self.axis.min, self.axis.max),
             log: self.axis.log,
             panels: vec![self.upper(self.quantity), self.below()],
             bands: spans.collect(),
             band: format!("{} off by more than {} dB, line by line", name(self.against), self.tolerance),
-            marks: peaks.chain(harmonics).chain(cursor).collect(),
+            marks,
         }
     }
 

@@ -47,7 +47,7 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     if let Some(view) = &mut app.spectra {
         header::render_named(&printable(&view.name), &theme, row(0, 1), buffer);
         let body = super::body(area);
-        view.has_room = area.width >= WIDE || body.height >= HIGH + 2;
+        view.give_list(area.width >= WIDE || body.height >= HIGH + 2);
         let is_listed = view.listed != Listed::Nothing;
         if view.is_list_alone() {
             let inner = panel::frame(body, buffer, &findings_list::title(view, &theme), true, &theme);

@@ -1,6 +1,6 @@
 //! What the keys do to the view.
 
-use super::{Listed, Lower, MOST_REDUCED, SpectraView, TOLERANCES};
+use super::{ListPlace, Listed, Lower, MOST_REDUCED, SpectraView, TOLERANCES};
 use crate::model::ModelKind;
 use crate::tui::action::Action;
 
@@ -40,14 +40,14 @@ impl SpectraView {
                 let at = self.lower as usize + 1;
                 self.lower = Lower::ALL[at % Lower::ALL.len()];
             }
-            Action::ListPeaks if !self.has_room => match (self.list_alone, self.listed) {
-                (true, Listed::Bands) => self.listed = Listed::Peaks,
-                (true, _) => self.list_alone = false,
-                (false, _) => {
-                    self.list_alone = true;
-                    self.listed = Listed::Bands;
-                }
+            Action::ListPeaks if self.list_place == ListPlace::Alone => match self.listed {
+                Listed::Bands => self.listed = Listed::Peaks,
+                _ => self.list_place = ListPlace::Hidden,
             },
+            Action::ListPeaks if self.list_place == ListPlace::Hidden => {
+                self.list_place = ListPlace::Alone;
+                self.listed = Listed::Bands;
+            }
             Action::ListPeaks => {
                 self.listed = match self.listed {
                     Listed::Bands => Listed::Peaks,

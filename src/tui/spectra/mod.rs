@@ -57,6 +57,16 @@ pub enum Listed {
     Nothing,
 }
 
+/// Where the list is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum ListPlace {
+    WithPlots,
+    /// There is no room for both
+    Hidden,
+    /// In place of the plots
+    Alone,
+}
+
 /// The view.
 #[derive(Debug)]
 pub struct SpectraView {
@@ -91,10 +101,7 @@ pub struct SpectraView {
     /// A line of the analysis
     pub cursor: usize,
     pub scroll: Scroll,
-    /// Plots and list are seen together, which is known when they are drawn.
-    pub has_room: bool,
-    /// The list is wanted where they are not.
-    list_alone: bool,
+    list_place: ListPlace,
     /// Columns of the plot that was drawn last
     width: usize,
     drawn: Option<Drawn>,
@@ -124,8 +131,7 @@ impl SpectraView {
             window: None,
             cursor: 0,
             scroll: Scroll::default(),
-            has_room: true,
-            list_alone: false,
+            list_place: ListPlace::WithPlots,
             width: 0,
             drawn: None,
         }
@@ -200,7 +206,16 @@ impl SpectraView {
 
     /// Whether the list is shown in place of the plots.
     pub fn is_list_alone(&self) -> bool {
-        !self.has_room && self.list_alone && self.listed != Listed::Nothing
+        self.list_place == ListPlace::Alone
+    }
+
+    /// Whether there is room for plots and list together, which is known when they are drawn.
+    pub fn give_list(&mut self, has_room: bool) {
+        self.list_place = match (has_room, self.list_place) {
+            (true, _) => ListPlace::WithPlots,
+            (false, ListPlace::WithPlots) => ListPlace::Hidden,
+            (false, place) => place,
+        };
     }
 
     /// The peak that the cursor is on.

@@ -1,7 +1,7 @@
 //! Opening the screen, its keys, and what comes from the background.
 
 use super::job::{Part, SpectraJob};
-use super::{SpectraView, readout};
+use super::{ListPlace, SpectraView, readout};
 use crate::model::ModelKind;
 use crate::tui::action::Action;
 use crate::tui::app::App;
@@ -89,7 +89,7 @@ impl App {
 
     pub(in crate::tui) fn close_spectra(&mut self) -> Vec<Effect> {
         if let Some(view) = self.spectra.as_mut().filter(|view| view.is_list_alone()) {
-            view.list_alone = false;
+            view.list_place = ListPlace::Hidden;
             return Vec::new();
         }
         self.spectra = None;
