@@ -257,7 +257,12 @@ fn nothing_is_overwritten_unasked_and_no_design_ever() {
     assert_eq!(String::from_utf8_lossy(&first.stdout), files);
     let text = std::fs::read_to_string(here.join("own.html")).unwrap();
     assert!(text.contains("<time datetime=\"2000-02-29\">"));
-    parsed(&std::fs::read_to_string(here.join("pictures/own-spectra.svg")).unwrap());
+    let picture = std::fs::read_to_string(here.join("pictures/own-spectra.svg")).unwrap();
+    parsed(&picture);
+    let hash = bevelscope::design::hash(SHIPPED[0].text.as_bytes());
+    let provenance =
+        format!("bevelscope {}, design Both overhung, elastic bearings, hash {hash}.", env!("CARGO_PKG_VERSION"));
+    assert!(picture.contains(&provenance), "{provenance}");
     // to standard output, byte for byte
     let again = bevelscope(here, &["report", "own.toml", "-o", "-"]);
     assert_eq!(String::from_utf8(again.stdout).unwrap(), text);

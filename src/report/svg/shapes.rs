@@ -89,8 +89,8 @@ pub fn matrix(matrix: &Matrix) -> (String, f64, Drawing) {
     let columns = matrix.rows.iter().map(Vec::len).max().unwrap_or(0);
     let side = ((RIGHT - LEFT) / columns.max(1) as f64).min(WIDEST);
     let mut drawing = Drawing::default();
-    drawing.text("label", [LEFT, 14.0], Anchor::Start, &matrix.column_label);
-    drawing.text("label", [4.0, TOP - 8.0], Anchor::Start, &matrix.row_label);
+    let labels = format!("rows: {}, columns: {}", matrix.row_label, matrix.column_label);
+    drawing.text("label", [4.0, 14.0], Anchor::Start, &labels);
     for (row, values) in matrix.rows.iter().enumerate() {
         let top = TOP + side * row as f64;
         drawing.text("faint", [LEFT - 6.0, top + side * 0.8], Anchor::End, &(row + 1).to_string());

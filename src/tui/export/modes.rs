@@ -26,7 +26,8 @@ impl ModesView {
             let picture = self.moment().map(|moment| picture(&moment, &study.design));
             (name, title, notes, picture, table(&self.rows, study, true))
         };
-        let tables = vec![table(&self.rows, study, false)];
+        let shape = self.moment().filter(|_| self.mac.is_none()).map(|moment| motions(&moment, &study.design));
+        let tables = shape.into_iter().chain([table(&self.rows, study, false)]).collect();
         Some((name, Document { title, sources, notes, picture, tables, data }))
     }
 
@@ -54,6 +55,56 @@ impl ModesView {
     }
 }
 
+/// Motions of the mesh station along and about the axis, and of the drive: what the picture does not show.
+fn motions(moment: &Moment, design: &Design) -> Table {
+    let [across, about] = moment.largest;
+    let mut names = Vec::new();
+    let mut values = vec![Vec::new(); moment.shapes.len()];
+    for (at, side) in Side::BOTH.into_iter().enumerate() {
+        let rotor = design.rotor(side);
+        let at_mesh = |shape: &StationShape<f64>, component: usize| {
+            let distance = |position: f64| (position - rotor.mesh_position).abs();
+            let stations = shape.positions.iter().zip(&shape.displacements);
+            let nearest = stations.min_by(|a, b| distance(*a.0).total_cmp(&distance(*b.0)));
+            nearest.map(|(_, station)| station[component])
+        };
+        names.extend(["axial", "torsion", "drive"].map(|motion| format!("{} {motion}", side.name())));
+        for (values, (_, both)) in values.iter_mut().zip(&moment.shapes) {
+            let part = |value: Option<f64>, whole: f64| {
+                value.filter(|_| whole > 0.0).map_or(String::new(), |value| decimals(value / whole, 3))
+            };
+            let shape = &both[at];
+            values.extend([part(at_mesh(shape, 1), across), part(at_mesh(shape, 4), about), part(shape.drive, about)]);
+        }
+    }
+    let mut columns = vec![Column::new("motion", "motion", Values::Texts(names))];
+    columns.extend(moment.shapes.iter().zip(values).map(|((of, _), values)| {
+        let name = named(*of).1;
+        Column::new(name, name, Values::Figures(values))
+    }));
+    let caption =
+        "Of the largest displacement of all, or of the largest rotation about an axis: at the mesh, and of the drive";
+    Table { caption: caption.into(), columns }
+}
+
+/// No sign on what is rounded away.
+fn decimals(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+/// How its line is drawn, and its name.
+fn named(of: ShapeOf) -> (Line, &'static str) {
+    match of {
+        ShapeOf::Fe => (Line::Fe, "finite elements"),
+        ShapeOf::Lumped(0) => (Line::Enhanced, LUMPED[0]),
+        ShapeOf::Lumped(_) => (Line::Basic, LUMPED[1]),
+    }
+}
+
 /// Full precision for programs, else as people read it.
 fn table(rows: &[ModeRow], study: &Study, exact: bool) -> Table {
     let numbers = |value: &dyn Fn(&ModeRow) -> Option<f64>, decimals: usize| {
@@ -62,7 +113,7 @@ fn table(rows: &[ModeRow], study: &Study, exact: bool) -> Table {
             Values::Numbers(all.map(|value| value.unwrap_or(f64::NAN)).collect())
         } else {
             Values::Figures(
-                all.map(|value| value.map_or(String::new(), |value| format!("{value:.decimals$}"))).collect(),
+                all.map(|value| value.map_or(String::new(), |value| self::decimals(value, decimals))).collect(),
             )
         }
     };
@@ -136,11 +187,7 @@ fn picture(moment: &Moment, design: &Design) -> Picture {
 }
 
 fn curve(of: ShapeOf, shape: &StationShape<f64>, component: usize, largest: f64) -> Curve {
-    let (line, name) = match of {
-        ShapeOf::Fe => (Line::Fe, "finite elements"),
-        ShapeOf::Lumped(0) => (Line::Enhanced, LUMPED[0]),
-        ShapeOf::Lumped(_) => (Line::Basic, LUMPED[1]),
-    };
+    let (line, name) = named(of);
     let part = |value: f64| if largest > 0.0 { value / largest } else { 0.0 };
     let values = shape.displacements.iter().map(|station| part(station[component]));
     Curve { line, name: name.into(), points: shape.positions.iter().copied().zip(values).collect() }
