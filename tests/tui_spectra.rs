@@ -455,7 +455,7 @@ fn peaks_of_the_other_lumped_model_stand_beside() {
         assert!(found.iter().any(|(_, beside)| beside.is_some()));
     }
     // a model that is not solved has none
-    let mut screen = wide(120, 40, UNICODE, "a");
+    let mut screen = wide(160, 40, UNICODE, "a");
     assert!(screen.text().contains("basic Hz"), "{}", screen.text());
     let peak = screen.keys("<Home>p");
     assert!(peak.text().contains("peak: torsion of both"), "{}", peak.text());

@@ -31,10 +31,12 @@ pub fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
 pub fn render(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let Some(findings) = view.findings().filter(|_| !area.is_empty()) else { return };
     let width = usize::from(area.width);
+    // a mode's name is worth more than the other model's peak
+    let has_beside = width >= 60 && findings.beside.is_some();
     let (head, rows, at): (String, Vec<String>, Option<usize>) = match view.listed {
         Listed::Peaks => (
-            peak_heads(findings),
-            findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak)).collect(),
+            peak_heads(findings, has_beside),
+            findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak, has_beside)).collect(),
             view.peak_at(),
         ),
         _ => (
@@ -69,17 +71,17 @@ fn band_row(Band { band, mode, .. }: &Band, is_complete: bool) -> String {
 }
 
 /// Units above the columns of [`peak_row`].
-fn peak_heads(findings: &Findings) -> String {
+fn peak_heads(findings: &Findings, has_beside: bool) -> String {
     let short = |kind: ModelKind| match kind {
         ModelKind::Enhanced => "enh. Hz".into(),
         ModelKind::Reduced(modes) => format!("r:{modes} Hz"),
         kind => format!("{} Hz", super::wide_plot::legend_name(kind)),
     };
-    let beside = short(findings.beside.unwrap_or(ModelKind::Basic));
-    format!(" #  FE Hz{:>8}  shift%    dB{beside:>9}  mode", short(findings.against))
+    let beside = findings.beside.filter(|_| has_beside).map_or(String::new(), |kind| format!("{:>9}", short(kind)));
+    format!(" #  FE Hz{:>8}   shift%    dB{beside}  mode", short(findings.against))
 }
 
-fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled) -> String {
+fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled, has_beside: bool) -> String {
     let hz = |hz: Option<f64>| hz.map_or_else(|| "-".into(), grouped);
     let signed =
         |value: Option<f64>, digits: usize| value.map_or_else(|| "-".into(), |value| format!("{value:+.digits$}"));
@@ -88,6 +90,7 @@ fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled) -> String 
         None => "unpaired".into(),
     };
     let (height, mode) = (signed(pair.height_db, 1), printable(mode.as_deref().unwrap_or("")));
-    let (fe, lumped, beside) = (hz(pair.fe_hz), hz(pair.lumped_hz), hz(*beside_hz));
-    format!("{:>2}{fe:>7}{lumped:>8}{shift:>8}{height:>6}{beside:>9}  {mode}", at + 1)
+    let (fe, lumped) = (hz(pair.fe_hz), hz(pair.lumped_hz));
+    let beside = if has_beside { format!("{:>9}", hz(*beside_hz)) } else { String::new() };
+    format!("{:>2}{fe:>7}{lumped:>8}{shift:>9}{height:>6}{beside}  {mode}", at + 1)
 }
