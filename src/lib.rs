@@ -23,6 +23,7 @@
 //! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh, forces of the bearings | 2, 4 |
 //! | [`agreement`] | differences in dB, the agreement limit, peaks and modes paired, bands of disagreement and their causes | 4 |
 //! | [`comparison`] | all of that for a design, in one call | |
+//! | [`document`] | what a screen shows, as data for files | |
 //! | [`report`] | results as tables, CSV and JSON, SVG pictures and HTML pages | |
 //! | [`commands`] | the command line, one file a subcommand | |
 //! | [`tui`] | the terminal explorer | |
@@ -72,6 +73,7 @@ pub mod commands;
 pub mod comparison;
 pub mod crash;
 pub mod design;
+pub mod document;
 pub mod gear;
 pub mod log;
 pub mod model;

@@ -55,7 +55,7 @@ fn assert_alone(html: &str) {
 #[test]
 fn pictures_of_a_small_design() {
     for picture in pictures(&small().design, 3.0) {
-        let file = picture.file();
+        let file = picture.file("PROVENANCE");
         parsed(&file);
         insta::assert_snapshot!(format!("report_{}", picture.name), file);
     }
@@ -138,13 +138,13 @@ fn a_million_lines_make_no_larger_picture() {
     let mut design = small().design;
     design.analysis.frequency_lines = 1_000_000;
     let [spectra, ..] = pictures(&design, 3.0);
-    let bytes = spectra.file().len();
+    let bytes = spectra.file("PROVENANCE").len();
     assert!((20_000..200_000).contains(&bytes), "{bytes}");
 }
 
 /// Every number of a picture that is a coordinate, checked to lie in it.
 fn check_coordinates(picture: &Picture) -> Result<(), TestCaseError> {
-    let file = picture.file();
+    let file = picture.file("PROVENANCE");
     let document = parsed(&file);
     let inside = |what: &str, number: &str, high: f64| {
         let value: f64 = number.parse().map_err(|_| TestCaseError::fail(format!("{what}: {number:?}")))?;
@@ -257,7 +257,12 @@ fn nothing_is_overwritten_unasked_and_no_design_ever() {
     assert_eq!(String::from_utf8_lossy(&first.stdout), files);
     let text = std::fs::read_to_string(here.join("own.html")).unwrap();
     assert!(text.contains("<time datetime=\"2000-02-29\">"));
-    parsed(&std::fs::read_to_string(here.join("pictures/own-spectra.svg")).unwrap());
+    let picture = std::fs::read_to_string(here.join("pictures/own-spectra.svg")).unwrap();
+    parsed(&picture);
+    let hash = bevelscope::design::hash(SHIPPED[0].text.as_bytes());
+    let provenance =
+        format!("bevelscope {}, design Both overhung, elastic bearings, hash {hash}.", env!("CARGO_PKG_VERSION"));
+    assert!(picture.contains(&provenance), "{provenance}");
     // to standard output, byte for byte
     let again = bevelscope(here, &["report", "own.toml", "-o", "-"]);
     assert_eq!(String::from_utf8(again.stdout).unwrap(), text);

@@ -154,7 +154,7 @@ impl Backend for Hostile {
         }
         let mut design = design("overhung-elastic");
         design.name = if path.to_string_lossy().contains("unsolvable") { "unsolvable".into() } else { ESCAPES.into() };
-        Ok(LoadedDesign { design, warnings: vec![ESCAPES.into()] })
+        Ok(LoadedDesign { warnings: vec![ESCAPES.into()], ..LoadedDesign::from(design) })
     }
 
     fn differences(&self, _: &Path, _: &Path) -> Result<Vec<Difference>, String> {

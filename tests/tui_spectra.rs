@@ -3,22 +3,23 @@
 
 mod tui_support;
 
-use std::path::{Path, PathBuf};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
 use std::sync::mpsc::{self, Sender};
-use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use bevelscope::agreement::disagreement_bands;
+use bevelscope::agreement::{ModalComparison, ModalError, disagreement_bands, pair_peaks, peaks};
 use bevelscope::comparison::{Comparison, Observer, SolveError, solve, solve_with_bearings};
 use bevelscope::design::library::SHIPPED;
 use bevelscope::design::{self, Design};
-use bevelscope::model::{ModelKind, Rotors, pinion_speed_rpm};
-use bevelscope::response::frequency_lines;
+use bevelscope::model::{Model, ModelKind, Rotors, mesh_frequency_hz, pinion_speed_rpm};
+use bevelscope::response::{Modes, ResponseError, both_rotor_modes, frequency_lines};
 use bevelscope::tui::caps::{Capabilities, ColourDepth};
 use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::solving::Ticket;
-use bevelscope::tui::spectra::{ModelCurves, Part, SpectraJob, SpectraView, Subject};
+use bevelscope::tui::spectra::{Labelled, ModelCurves, Part, Quantity, SpectraJob, SpectraView, Subject};
 use bevelscope::tui::worker::Worker;
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign};
 use insta::assert_snapshot;
@@ -187,6 +188,34 @@ fn peaks_are_listed_in_pairs_and_unpaired_ones_as_such() {
     assert_eq!(view(&screen).at_hz(), Some(places[1]));
 }
 
+/// F_m = k_m* (error - e): the same modes make models differ in both. A bearing has its own.
+#[test]
+fn bands_of_every_quantity_have_a_mode_and_a_reason() {
+    let mut screen = wide(120, 40, UNICODE, "v");
+    let (design, rotors, _) = subject();
+    let modes = ModalComparison::new(ModelKind::Enhanced, &design, &rotors).unwrap();
+    let mut quantities = 0;
+    let mut differ = false;
+    while view(&screen).quantity != Quantity::MeshForce {
+        quantities += 1;
+        let view = view(&screen);
+        let findings = view.findings().unwrap();
+        assert!(findings.is_complete && !findings.bands.is_empty(), "{:?}", view.quantity);
+        for band in &findings.bands {
+            let hz = band.mode.as_ref().unwrap().0;
+            assert!(band.sentences.len() > 1, "{:?}", band.sentences);
+            let of_mesh = modes.responsible(band.band.worst_at_hz).unwrap();
+            let same = modes.mode(&of_mesh).unwrap().frequency_hz.to_bits() == hz.to_bits();
+            assert!(same || view.quantity != Quantity::TransmissionError, "{hz} {:?}", band.band);
+            differ |= !same;
+        }
+        assert!(findings.peaks.iter().all(|peak| peak.mode.is_some()), "{:?}", view.quantity);
+        screen.keys("v");
+    }
+    assert_eq!(quantities, 1 + design.pinion.bearings.len() + design.gear.bearings.len());
+    assert!(differ, "a mode that shakes one bearing need not shake the mesh");
+}
+
 /// The highest mesh force of a design of few lines, as it is drawn, is that of a design of many.
 #[test]
 fn peaks_are_drawn_exact_however_coarse_the_analysis() {
@@ -221,63 +250,6 @@ fn curves_are_switched_and_the_reduced_model_grows() {
     assert!(view(&screen).findings().unwrap().is_complete);
     screen.keys(&"-".repeat(9));
     assert_eq!(view(&screen).against(), ModelKind::Reduced(0));
-}
-
-/// Files that are written go to a list; the name `taken` is.
-struct Writing(Shelf, Arc<Mutex<Vec<String>>>);
-
-impl Backend for Writing {
-    fn load(&self, path: &Path) -> Result<LoadedDesign, BrokenDesign> {
-        self.0.load(path)
-    }
-
-    fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
-        self.0.compare(design, observer)
-    }
-
-    fn read(&self, path: &Path) -> Result<String, String> {
-        self.0.read(path)
-    }
-
-    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
-        if path == Path::new("taken.csv") {
-            return Err("taken.csv: there is a file of that name already".into());
-        }
-        self.1.lock().unwrap().push(text.into());
-        Ok(Path::new("/here").join(path))
-    }
-}
-
-#[test]
-fn what_is_shown_is_written_with_version_and_hash() {
-    let (design, rotors, lines) = subject();
-    let written = Arc::new(Mutex::new(Vec::new()));
-    let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Writing(Shelf::shipped(), Arc::clone(&written)));
-    screen.keys("w3iiE");
-    assert!(screen.text().contains("overhung-elastic-mesh_force.csv"), "{}", screen.text());
-    screen.keys("<Ctrl-u>taken.csv<Enter>");
-    assert_eq!(screen.app.mode, Mode::Export);
-    assert!(screen.text().contains("of that name already"), "{}", screen.text());
-    screen.keys("<Ctrl-u>free.csv<Enter>");
-    assert_eq!(screen.app.mode, Mode::Spectra);
-    assert!(screen.text().contains("written: /here/free.csv"), "{}", screen.text());
-    let texts = written.lock().unwrap();
-    let mut rows = texts[0].split("\r\n");
-    let head = rows.next().unwrap();
-    assert!(head.starts_with(&format!("# bevelscope {}", env!("CARGO_PKG_VERSION"))), "{head}");
-    assert!(head.ends_with(&format!("hash {}", design::hash(text().as_bytes()))), "{head}");
-    assert_eq!(
-        rows.next(),
-        Some("frequency_hz,fe_mesh_force_n_re,fe_mesh_force_n_im,enhanced_mesh_force_n_re,enhanced_mesh_force_n_im")
-    );
-    let force = solve(ModelKind::Fe, &design, &rotors, &lines).unwrap().mesh_force;
-    let axis = view(&screen).axis().unwrap();
-    let mut wanted = lines.iter().zip(&force).filter(|(f, _)| (axis.min..=axis.max).contains(*f));
-    for row in rows.filter(|row| !row.is_empty()) {
-        let (f, force) = wanted.next().unwrap();
-        assert!(row.starts_with(&format!("{f:?},{:?},{:?},", force.re, force.im)), "{row}");
-    }
-    assert!(wanted.next().is_none());
 }
 
 #[test]
@@ -373,4 +345,173 @@ fn the_latest_job_ends_what_is_being_solved() {
             _ => {}
         }
     }
+}
+
+#[test]
+fn panning_moves_the_window_by_a_quarter_and_stops_at_the_ends() {
+    for keys in ["", "x"] {
+        let mut screen = wide(80, 24, UNICODE, keys);
+        let all = view(&screen).axis().unwrap();
+        assert_eq!(view(screen.keys("<").keys(">")).axis().unwrap(), all, "all is in sight");
+        screen.keys("ii");
+        let place = |screen: &Screen| {
+            let axis = view(screen).axis().unwrap();
+            (all.fraction(axis.min), all.fraction(axis.max))
+        };
+        let (from, to) = place(&screen);
+        let quarter = (to - from) / 4.0;
+        for (key, by) in [(">", quarter), ("<", 0.0), ("<", -quarter), (">>", quarter)] {
+            let found = place(screen.keys(key));
+            assert!((found.0 - from - by).abs() < 1e-9 && (found.1 - to - by).abs() < 1e-9, "{key} {found:?}");
+            let (hz, axis) = (view(&screen).at_hz().unwrap(), view(&screen).axis().unwrap());
+            assert!((axis.min..=axis.max).contains(&hz), "the cursor comes along");
+        }
+        assert!(place(screen.keys(&"<".repeat(40))).0.abs() < 1e-9);
+        let end = place(screen.keys(&">".repeat(40)));
+        assert!((end.1 - 1.0).abs() < 1e-9 && (end.1 - end.0 - 0.25).abs() < 1e-9, "{end:?}");
+    }
+}
+
+#[test]
+fn jumps_bring_the_window_along_on_either_axis() {
+    for keys in ["", "x"] {
+        let mut screen = wide(120, 40, UNICODE, keys);
+        screen.keys("<Home>iiii");
+        let bands: Vec<f64> =
+            view(&screen).findings().unwrap().bands.iter().map(|band| band.band.worst_at_hz).collect();
+        let peaks: Vec<f64> = view(&screen).findings().unwrap().peaks.iter().map(Labelled::place).collect();
+        for (key, places) in [("n", &bands), ("p", &peaks)] {
+            screen.keys("<Home>");
+            let first = view(&screen).at_hz().unwrap();
+            for place in places.iter().filter(|place| **place > first) {
+                screen.keys(key);
+                assert_eq!(view(&screen).at_hz(), Some(*place), "{keys} {key}");
+                let axis = view(&screen).axis().unwrap();
+                assert!((axis.min..=axis.max).contains(place), "{keys} {key} {place}");
+            }
+        }
+        // columns of the cursor are those of the axis
+        let mut screen = wide(120, 40, UNICODE, keys);
+        let axis = view(&screen).axis().unwrap();
+        let before = axis.fraction(view(&screen).at_hz().unwrap());
+        let width = view(&screen).drawn().unwrap().difference.len() as f64;
+        let after = axis.fraction(view(screen.keys("H")).at_hz().unwrap());
+        let columns = (before - after) * width;
+        assert!((9.0..=11.0).contains(&columns), "{keys} {columns}");
+    }
+}
+
+#[test]
+fn the_readout_is_copied() {
+    let mut screen = wide(80, 24, UNICODE, "");
+    screen.effects.clear();
+    screen.keys("y");
+    assert!(screen.effects.iter().any(|effect| matches!(effect, Effect::Copy(_))), "{:?}", screen.effects);
+    assert!(screen.text().contains("sent to terminal: Dynamic mesh force"), "{}", screen.text());
+    assert!(view(&screen).readout_text().unwrap().contains("dB"));
+}
+
+#[test]
+fn monochrome_and_sixteen_colours_80x24() {
+    assert_snapshot!("spectra_sixteen", wide(80, 24, UNICODE, "n").styles());
+    assert_snapshot!(
+        "spectra_monochrome",
+        wide(80, 24, Capabilities { colour: ColourDepth::None, ..UNICODE }, "n").styles()
+    );
+}
+
+/// Where plots and list have no room together, the list takes the place of the plots.
+#[test]
+fn the_list_alone_60x18() {
+    let mut screen = wide(60, 18, UNICODE, "");
+    assert!(!screen.text().contains("from Hz"));
+    screen.keys("an");
+    assert_snapshot!("spectra_list_60x18", screen.text());
+    assert!(screen.keys("a").text().contains("peaks, FE and enhanced"), "{}", screen.text());
+    assert!(!screen.keys("a").text().contains("FE Hz"), "the plots again");
+    // one level back at a time
+    screen.keys("a<Esc>");
+    assert_eq!(screen.app.mode, Mode::Spectra);
+    assert!(!screen.text().contains("from Hz"));
+    assert_ne!(screen.keys("<Esc>").app.mode, Mode::Spectra);
+}
+
+#[test]
+fn peaks_of_the_other_lumped_model_stand_beside() {
+    let (design, rotors, lines) = subject();
+    let force = |kind| solve(kind, &design, &rotors, &lines).unwrap().mesh_force;
+    let of = |kind| peaks(&lines, &force(kind));
+    for (keys, other) in [("", ModelKind::Basic), ("m", ModelKind::Enhanced)] {
+        let screen = wide(120, 40, UNICODE, keys);
+        let findings = view(&screen).findings().unwrap();
+        assert_eq!(findings.beside, Some(other));
+        let wanted: Vec<(f64, Option<f64>)> = pair_peaks(&of(other), &of(ModelKind::Fe))
+            .iter()
+            .filter_map(|pair| Some((pair.fe_hz?, pair.lumped_hz)))
+            .collect();
+        let found: Vec<(f64, Option<f64>)> =
+            findings.peaks.iter().filter_map(|peak| Some((peak.pair.fe_hz?, peak.beside_hz))).collect();
+        assert_eq!(found, wanted);
+        assert!(found.iter().any(|(_, beside)| beside.is_some()));
+    }
+    // a model that is not solved has none
+    let mut screen = wide(160, 40, UNICODE, "a");
+    assert!(screen.text().contains("basic Hz"), "{}", screen.text());
+    let peak = screen.keys("<Home>p");
+    assert!(peak.text().contains("peak: torsion of both"), "{}", peak.text());
+}
+
+/// f = N n / 60: 14 teeth at 1,500 rpm are 350 Hz.
+#[test]
+fn mesh_frequency_and_harmonics_are_marked_where_a_speed_is_given() {
+    let mut screen = Screen::with(&[STEM], 120, 40, UNICODE, Shelf::shipped());
+    let axis_row = |screen: &Screen| {
+        let row = screen.text().lines().position(|line| line.contains("  Hz ")).unwrap() - 1;
+        screen.line(u16::try_from(row).unwrap())
+    };
+    assert!(!axis_row(screen.keys("w")).contains('1'));
+    screen.keys("<Esc>");
+    let text = format!("{}\n[operating]\npinion_speed_rpm = 1500.0\n", text());
+    let mut design = design::read(&text).design.unwrap();
+    assert_eq!(design.pinion.teeth, Some(14));
+    assert!((mesh_frequency_hz(&design).unwrap() - 350.0).abs() < 1e-9);
+    screen.keys("w");
+    let view = screen.app.spectra.as_mut().unwrap();
+    view.known.subject = Some(Arc::new(Subject::new(design.clone(), None).unwrap()));
+    screen.draw();
+    let row = axis_row(&screen);
+    for order in 1..=9_u32 {
+        let axis = screen.app.spectra.as_ref().unwrap().axis().unwrap();
+        let column = row.chars().position(|letter| Some(letter) == char::from_digit(order, 10)).unwrap();
+        let first = row.chars().position(|letter| letter == '1').unwrap();
+        let each = (row.chars().position(|letter| letter == '9').unwrap() - first) as f64 / 8.0;
+        assert!((column as f64 - first as f64 - each * f64::from(order - 1)).abs() <= 1.0, "{order}: {row}");
+        assert!(f64::from(order) * 350.0 < axis.max);
+    }
+    assert!(screen.text().contains("mesh 350 Hz at 1,500 rpm"), "{}", screen.text());
+    design.operating = None;
+    assert_eq!(mesh_frequency_hz(&design), None);
+}
+
+#[test]
+fn looking_for_modes_can_be_given_up() {
+    let (design, rotors, _) = subject();
+    let mut asked = 0;
+    let mut done = || {
+        asked += 1;
+        if asked > 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let ended = ModalComparison::over(ModelKind::Enhanced, &design, &rotors, &mut done);
+    assert!(matches!(ended, Err(ModalError::Cancelled)));
+    assert_eq!(asked, 101, "at once");
+    // also while the modes with the mesh are made from those without
+    let model = Model::new(ModelKind::Fe, &design, &rotors).unwrap();
+    let uncoupled = both_rotor_modes(&model).unwrap();
+    let mut left = 3;
+    let mut done = |_| {
+        left -= 1;
+        if left > 0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let ended = Modes::with_rotor_modes_over(&model, &uncoupled, usize::MAX, &mut done);
+    assert_eq!((ended, left), (Err(ResponseError::Cancelled), 0));
 }

@@ -3,8 +3,10 @@
 
 mod support;
 
-use bevelscope::agreement::{Causes, DisagreementBand, ModalComparison, difference_db, disagreement_bands};
-use bevelscope::comparison::solve;
+use bevelscope::agreement::{
+    Causes, DisagreementBand, ModalComparison, Part, Parts, difference_db, disagreement_bands, peaks,
+};
+use bevelscope::comparison::{solve, solve_with_bearings};
 use bevelscope::design::{BeamTheory, Design, Side, library, read};
 use bevelscope::model::{Model, ModelKind, Rotors, pinion_speed_rpm};
 use bevelscope::response::{Modes, frequency_lines};
@@ -68,6 +70,52 @@ proptest! {
                 prop_assert!(!mode.name().is_empty());
                 let most = [mode.pinion, mode.gear].into_iter().flat_map(|s| [s.lateral, s.axial, s.tilt, s.torsion]);
                 prop_assert_eq!(mode.dominant().share, most.fold(0.0, f64::max));
+            }
+        }
+    }
+
+    /// Without damping the modes' parts over lambda - w^2, times k_m e, are the transmission error and the forces of the bearings.
+    #[test]
+    fn the_parts_of_all_modes_are_the_whole(mut design in designs(), place in 0.05_f64..0.95) {
+        design.analysis.structural_damping = 0.0;
+        design.mesh.damping = 0.0;
+        let rotors = Rotors::new(&design).unwrap();
+        for kind in [ModelKind::Enhanced, ModelKind::Reduced(2)] {
+            let modes = ModalComparison::new(kind, &design, &rotors).unwrap();
+            // in the middle between two modes that are apart
+            let all: Vec<f64> = modes.fe.0.iter().chain(&modes.lumped.0).map(|mode| mode.frequency_hz).collect();
+            let nearest = |hz: f64| all.iter().map(|mode| (mode / hz - 1.0).abs()).fold(f64::INFINITY, f64::min);
+            let from = 20.0 + 2000.0 * place;
+            let hz = (0..400).map(|i| from * (1.0 + 0.002 * f64::from(i))).max_by(|a, b| nearest(*a).total_cmp(&nearest(*b))).unwrap();
+            let omega = std::f64::consts::TAU * hz;
+            let drive = design.mesh.stiffness * design.mesh.transmission_error;
+            let sum = |modes: &Modes, parts: &[Vec<Part>], component: usize| -> (f64, f64) {
+                let term = |(mode, parts): (&bevelscope::response::Mode, &Vec<Part>)| {
+                    drive * parts[component].at(omega, Complex64::from(1.0)).re
+                        / ((std::f64::consts::TAU * mode.frequency_hz).powi(2) - omega * omega)
+                };
+                let terms: Vec<f64> = modes.0.iter().zip(parts).map(term).collect();
+                (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum())
+            };
+            let near = |(sum, size): (f64, f64), wanted: Complex64| (sum - wanted.re).abs() <= 1e-5 * size + 1e-12;
+            let parts = Parts::of_mesh(&modes);
+            for (kind, of, parts) in [(ModelKind::Fe, &modes.fe, &parts.fe), (kind, &modes.lumped, &parts.lumped)] {
+                let error = solve(kind, &design, &rotors, &[hz]).unwrap().transmission_error[0];
+                prop_assert!(near(sum(of, parts, 0), error), "{kind:?} {hz} {:?} {error}", sum(of, parts, 0));
+            }
+            for side in Side::BOTH {
+                for bearing in 0..design.rotor(side).bearings.len() {
+                    let parts = Parts::of_bearing(&modes, &design, &rotors, (side, bearing), &[0, 1, 2]).unwrap();
+                    for (kind, of, parts) in [(ModelKind::Fe, &modes.fe, &parts.fe), (kind, &modes.lumped, &parts.lumped)] {
+                        let solved = solve_with_bearings(kind, &design, &rotors, &[hz]).unwrap();
+                        let mut own = solved.bearings.iter().filter(|other| other.side == side);
+                        let force = own.nth(bearing).unwrap().force[0];
+                        for (component, wanted) in force.iter().take(3).enumerate() {
+                            let sum = sum(of, parts, component);
+                            prop_assert!(near(sum, *wanted), "{kind:?} {side:?} {bearing} {component} {sum:?} {wanted}");
+                        }
+                    }
+                }
             }
         }
     }
@@ -225,4 +273,30 @@ fn speed_of_a_mesh_order() {
     design.pinion.teeth = Some(10);
     // f = N n / 60
     assert_eq!(pinion_speed_rpm(&design, 500.0), Some(3000.0));
+}
+
+/// Every peak of a spectrum is a mode: the weak ones too, which a threshold over the strongest of all modes would leave without a name.
+#[test]
+fn every_peak_has_its_mode() {
+    for shipped in library::SHIPPED {
+        let design = read(shipped.text).design.unwrap();
+        let rotors = Rotors::new(&design).unwrap();
+        let lines = frequency_lines(&design.analysis);
+        let modes = ModalComparison::new(ModelKind::Enhanced, &design, &rotors).unwrap();
+        let parts = Parts::of_mesh(&modes);
+        for (kind, of) in [(ModelKind::Fe, &modes.fe), (ModelKind::Enhanced, &modes.lumped)] {
+            let force = solve(kind, &design, &rotors, &lines).unwrap().mesh_force;
+            let mut named = Vec::new();
+            for peak in peaks(&lines, &force) {
+                let mode = modes.behind_peak(&parts, kind != ModelKind::Fe, peak.frequency_hz, &lines);
+                let mode = mode.unwrap_or_else(|| panic!("{}: {kind:?} {peak:?}", shipped.file_name));
+                assert!(of.0.contains(mode));
+                // no mode makes two peaks
+                assert!(!named.contains(&mode.frequency_hz.to_bits()), "{}: {kind:?} {peak:?}", shipped.file_name);
+                named.push(mode.frequency_hz.to_bits());
+            }
+            assert!(named.len() > 1);
+        }
+        assert!(modes.behind_peak(&parts, false, 1e7, &[]).is_none());
+    }
 }

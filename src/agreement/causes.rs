@@ -1,6 +1,6 @@
 //! Why a lumped model disagrees with finite elements over a band: figures first, then the sentences that they support.
 
-use super::{DisagreementBand, ModalComparison, Responsible};
+use super::{DisagreementBand, ModalComparison, Parts, Responsible};
 use crate::design::Side;
 use crate::model::{LumpedMass, ModelKind, Rotors};
 use crate::response::{Dominant, Mode};
@@ -88,8 +88,14 @@ pub struct Causes {
 }
 
 impl Causes {
+    /// Of a band of the mesh force, or of the transmission error.
     pub fn new(modes: &ModalComparison, rotors: &Rotors, band: DisagreementBand) -> Self {
-        let responsible = modes.responsible(band.worst_at_hz);
+        Self::in_parts(modes, &Parts::of_mesh(modes), rotors, band)
+    }
+
+    /// Of a band of what the modes have the given parts in.
+    pub fn in_parts(modes: &ModalComparison, parts: &Parts, rotors: &Rotors, band: DisagreementBand) -> Self {
+        let responsible = modes.responsible_in(parts, band.worst_at_hz);
         let mode = responsible.and_then(|responsible| modes.mode(&responsible));
         let fe = responsible.and_then(|responsible| responsible.fe);
         let pair = fe.and_then(|fe| modes.pairs.iter().find(|pair| pair.fe == fe));

@@ -6,6 +6,7 @@ mod differences;
 mod disagreement;
 mod modal;
 mod pairing;
+mod parts;
 mod peaks;
 mod reduction;
 
@@ -17,6 +18,7 @@ pub use differences::{difference_db, frac};
 pub use disagreement::{DisagreementBand, disagreement_bands};
 pub use modal::{COMPARED_FE_MODES, ModalComparison, ModalError, Responsible};
 pub use pairing::{ModePair, mac_matrix, pair_modes};
+pub use parts::{Part, Parts};
 pub use peaks::{Peak, PeakPair, highest_peak, pair_peaks, peaks};
 pub use reduction::reduced_modes_for;
 

@@ -1,13 +1,15 @@
 //! The modes of a lumped model beside those of finite elements, and which of them makes the two differ at a frequency.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use num_complex::Complex64;
 
+use super::parts::{Part, Parts};
 use super::{ModePair, pair_modes};
-use crate::design::Design;
+use crate::design::{Design, Side};
 use crate::model::{Model, ModelError, ModelKind, Rotors};
-use crate::response::{Mode, Modes, ResponseError};
+use crate::response::{Mode, Modes, ResponseError, rotor_modes_over};
 
 /// Finite element modes that lumped ones are paired with: the lowest, since the shape of a high one at the mesh alone says little.
 pub const COMPARED_FE_MODES: usize = 40;
@@ -31,6 +33,8 @@ pub enum ModalError {
     Model(#[from] ModelError),
     #[error("{} model: {error}", kind.name())]
     Response { kind: ModelKind, error: ResponseError },
+    #[error("cancelled")]
+    Cancelled,
 }
 
 /// The mode that makes most of the difference at a frequency: one of finite elements, or a lumped one that these do not have.
@@ -49,9 +53,30 @@ impl ModalComparison {
     ///
     /// A model that cannot be built, or whose modes cannot be computed.
     pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Self, ModalError> {
-        let modes = |kind| -> Result<(Model, Modes), ModalError> {
+        Self::over(kind, design, rotors, &mut || ControlFlow::Continue(()))
+    }
+
+    /// As [`Self::new`]; `done` is asked often whether to go on.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`]; [`ModalError::Cancelled`] where `done` breaks.
+    pub fn over(
+        kind: ModelKind,
+        design: &Design,
+        rotors: &Rotors,
+        done: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, ModalError> {
+        let mut modes = |kind| -> Result<(Model, Modes), ModalError> {
+            let failed = |error| match error {
+                ResponseError::Cancelled => ModalError::Cancelled,
+                error => ModalError::Response { kind, error },
+            };
+            let mut done = |_| done();
             let model = Model::new(kind, design, rotors)?;
-            let modes = Modes::new(&model, usize::MAX).map_err(|error| ModalError::Response { kind, error })?;
+            let pinion = rotor_modes_over(&model.pinion, Side::Pinion, &mut done).map_err(failed)?;
+            let both = [pinion, rotor_modes_over(&model.gear, Side::Gear, &mut done).map_err(failed)?];
+            let modes = Modes::with_rotor_modes_over(&model, &both, usize::MAX, &mut done).map_err(failed)?;
             Ok((model, modes))
         };
         let ((fe_model, fe), (lumped_model, lumped)) = (modes(ModelKind::Fe)?, modes(kind)?);
@@ -73,26 +98,22 @@ impl ModalComparison {
     /// counts whole. All models have the same static compliance at the mesh, so of every mode only what exceeds its static part is looked at:
     /// without that the high modes, which share the static part out differently, would be named at any frequency. eta_r is the loss factor by modal strain energy (Johnson and Kienholz 1982): the sum explains, the spectra are exact.
     pub fn responsible(&self, at_hz: f64) -> Option<Responsible> {
-        let omega = TAU * at_hz;
-        let term = |model: &Model, mode: &Mode| -> Complex64 {
-            let lambda = (TAU * mode.frequency_hz).powi(2);
-            let structure = model.structural_factor(omega).im;
-            let mesh = model.complex_mesh_stiffness(omega).im / model.mesh_stiffness;
-            let loss = structure + (mesh - structure) * mode.mesh_strain_share;
-            let stiffness = Complex64::new(lambda, lambda * loss);
-            // the rigid rotation strains nothing, the mesh included
-            let moving = mode.participation / (stiffness - omega * omega) - mode.participation / stiffness;
-            if mode.mesh_strain_share > 0.0 && moving.is_finite() { moving } else { Complex64::ZERO }
-        };
-        let fe_term = |i: usize| term(&self.fe_model, &self.fe.0[i]);
-        let lumped_term = |i: usize| term(&self.lumped_model, &self.lumped.0[i]);
-        let of_fe = (0..self.fe.0.len()).map(|i| {
+        self.responsible_in(&Parts::of_mesh(self), at_hz)
+    }
+
+    /// The same of what the modes have the given parts in.
+    pub fn responsible_in(&self, parts: &Parts, at_hz: f64) -> Option<Responsible> {
+        let of_fe = |i: usize| moving(&self.fe_model, &self.fe.0[i], parts.fe.get(i), at_hz);
+        let of_lumped = |i: usize| moving(&self.lumped_model, &self.lumped.0[i], parts.lumped.get(i), at_hz);
+        let pairs = (0..self.fe.0.len()).map(|i| {
             let lumped = self.partner(i);
-            let difference = lumped.map_or(Complex64::ZERO, lumped_term) - fe_term(i);
-            (Some(i), lumped, difference.norm())
+            let (own, other) = (of_fe(i), lumped.map(of_lumped).unwrap_or_default());
+            let difference: Vec<Complex64> =
+                own.iter().enumerate().map(|(i, own)| other.get(i).copied().unwrap_or_default() - own).collect();
+            (Some(i), lumped, size(&difference))
         });
         let alone = (0..self.lumped.0.len()).filter(|i| !self.pairs.iter().any(|pair| pair.lumped == *i));
-        let all: Vec<_> = of_fe.chain(alone.map(|i| (None, Some(i), lumped_term(i).norm()))).collect();
+        let all: Vec<_> = pairs.chain(alone.map(|i| (None, Some(i), size(&of_lumped(i))))).collect();
         let sum: f64 = all.iter().map(|(.., size)| size).sum();
         // modes farther off than an octave give a smooth part only; where there are none nearer they are all there is
         let hz = |&(fe, lumped, _): &(Option<usize>, Option<usize>, f64)| {
@@ -106,6 +127,26 @@ impl ModalComparison {
         (size > 0.0 && sum.is_finite()).then(|| Responsible { fe, lumped, share: size / sum })
     }
 
+    /// The mode that makes a peak of finite elements, or of the lumped model, in what the modes have the given parts in: of those within 3 %, or on
+    /// this side of the next of the lines (Hz, ascending), the one that gives most there. It need not be one that the mesh drives much: a small
+    /// peak has a weak mode.
+    pub fn behind_peak(&self, parts: &Parts, of_lumped: bool, at_hz: f64, lines: &[f64]) -> Option<&Mode> {
+        /// A loss factor of 6 % moves a peak by less.
+        const NEAR: f64 = 0.03;
+        let (model, modes, parts) = if of_lumped {
+            (&self.lumped_model, &self.lumped, &parts.lumped)
+        } else {
+            (&self.fe_model, &self.fe, &parts.fe)
+        };
+        let after = lines.partition_point(|line| *line <= at_hz);
+        let before = lines.partition_point(|line| *line < at_hz).checked_sub(1);
+        let line = |at: Option<usize>| at.and_then(|at| lines.get(at)).map_or(at_hz, |line| *line);
+        let range = line(before).min(at_hz * (1.0 - NEAR))..=line(Some(after)).max(at_hz * (1.0 + NEAR));
+        let near = modes.0.iter().enumerate().filter(|(_, mode)| range.contains(&mode.frequency_hz));
+        let sizes = near.map(|(i, mode)| (mode, size(&moving(model, mode, parts.get(i), at_hz))));
+        sizes.filter(|(_, size)| *size > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(mode, _)| mode)
+    }
+
     /// The finite element mode of a responsible one, or the lumped one where there is none.
     pub fn mode(&self, responsible: &Responsible) -> Option<&Mode> {
         match (responsible.fe, responsible.lumped) {
@@ -114,4 +155,25 @@ impl ModalComparison {
             (None, None) => None,
         }
     }
+}
+
+/// What a mode gives at a frequency (Hz) beyond its static part, over k_m* e; nothing where it is at rest, since the rigid rotation strains nothing,
+/// the mesh included.
+fn moving(model: &Model, mode: &Mode, parts: Option<&Vec<Part>>, at_hz: f64) -> Vec<Complex64> {
+    let omega = TAU * at_hz;
+    let lambda = (TAU * mode.frequency_hz).powi(2);
+    let factor = model.structural_factor(omega);
+    let mesh = model.complex_mesh_stiffness(omega).im / model.mesh_stiffness;
+    let loss = factor.im + (mesh - factor.im) * mode.mesh_strain_share;
+    let stiffness = Complex64::new(lambda, lambda * loss);
+    let of = |part: &Part| {
+        let moving = part.at(omega, factor) / (stiffness - omega * omega) - part.at(0.0, factor) / stiffness;
+        if mode.mesh_strain_share > 0.0 && moving.is_finite() { moving } else { Complex64::ZERO }
+    };
+    parts.into_iter().flatten().map(of).collect()
+}
+
+/// sqrt(sum |x|^2)
+fn size(values: &[Complex64]) -> f64 {
+    values.iter().fold(0.0, |size: f64, value| size.hypot(value.norm()))
 }

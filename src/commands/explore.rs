@@ -11,6 +11,7 @@ use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
+use crate::document::Document;
 use crate::model::Rotors;
 use crate::text::printable;
 use crate::tui::facts;
@@ -64,7 +65,7 @@ fn explore(args: &Args, paths: Vec<PathBuf>, notice: Option<String>) -> Result<(
     let (keys, keys_report) = args.keys.for_explorer()?;
     let options = tui::Options { ascii: args.ascii, keys, keys_report, notice };
     let files = library::files(&paths);
-    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files { paths: Mutex::new(paths), guard: Guard::new() }))?)
+    Ok(tui::run(files, shown_as.join(" "), options, Arc::new(Files::new(paths)))?)
 }
 
 /// The argument may be a mistyped command.
@@ -85,13 +86,19 @@ fn no_such(path: &Path) -> String {
 }
 
 /// Designs from disk, solved here.
-struct Files {
+#[derive(Debug)]
+pub struct Files {
     /// The folders and files of the library. A file that is named here follows its renaming.
     paths: Mutex<Vec<PathBuf>>,
     guard: Guard,
 }
 
 impl Files {
+    /// Of folders and design files.
+    pub fn new(paths: Vec<PathBuf>) -> Self {
+        Self { paths: Mutex::new(paths), guard: Guard::new() }
+    }
+
     fn paths(&self) -> Vec<PathBuf> {
         self.paths.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -158,7 +165,8 @@ impl Backend for Files {
         match design::load(path) {
             Ok(loaded) => {
                 let warnings = loaded.sentences();
-                Ok(LoadedDesign { warnings, design: loaded.design })
+                let hash = Some(design::hash(loaded.text.as_bytes()));
+                Ok(LoadedDesign { warnings, design: loaded.design, hash })
             }
             Err(error) => Err(BrokenDesign { one_line: error.reason(), full_text: error.to_string() }),
         }
@@ -219,11 +227,12 @@ impl Backend for Files {
         library::save_variant(folder, name, text, about).map_err(|error| error.to_string())
     }
 
-    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
-        // a name without a folder is one in the current folder
-        let path = std::path::absolute(path).map_err(|error| error.to_string())?;
-        design::save_new(&path, text).map_err(|error| error.to_string())?;
-        Ok(path)
+    fn export(&self, path: &Path, document: &Document) -> Result<PathBuf, String> {
+        super::export::shown(path, document)
+    }
+
+    fn export_design(&self, path: &Path, design: &Path, text: Option<&str>) -> Result<PathBuf, String> {
+        super::export::design(path, design, text)
     }
 
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {
@@ -272,7 +281,7 @@ mod tests {
         let text = library::SHIPPED[0].text;
         fs::write(path("base.toml"), text).unwrap();
         fs::write(path("child.toml"), format!("parent = \"base\"\n{text}")).unwrap();
-        let files = Files { paths: Mutex::new(vec![folder.path().into()]), guard: Guard::new() };
+        let files = Files::new(vec![folder.path().into()]);
         let name = library::VariantName::new("mother").unwrap();
         let done = files.change_file(&FileRequest::Rename { path: path("base.toml"), name }).unwrap();
         let now = format!("parent = \"mother\"\n{text}");

@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod doctor;
 mod explore;
+mod export;
 mod guard;
 mod import_mesh;
 mod input;
@@ -17,6 +18,8 @@ mod solve;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
+
+pub use explore::Files;
 
 use clap::{Parser, Subcommand, ValueEnum};
 

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use super::{CommandError, Status, input};
-use crate::design::{Design, SaveError, save, save_new};
+use crate::design::{Loaded, SaveError, hash, save, save_new};
+use crate::document::{Document, Source};
 use crate::moment;
 use crate::report::Study;
 use crate::report::html::{Entry, page};
@@ -48,7 +49,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let mut targets: Vec<(PathBuf, String)> = Vec::new();
     if let Some(folder) = &args.svg {
         for (stem, (loaded, study)) in stems(&args.files).iter().zip(&solved) {
-            targets.extend(pictures(folder, stem, &loaded.design, study));
+            targets.extend(pictures(folder, stem, loaded, study));
         }
     }
     if !to_stdout {
@@ -90,9 +91,21 @@ fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError>
     Ok(())
 }
 
-fn pictures(folder: &Path, stem: &str, design: &Design, study: &Study) -> Vec<(PathBuf, String)> {
+fn pictures(folder: &Path, stem: &str, loaded: &Loaded, study: &Study) -> Vec<(PathBuf, String)> {
+    let design = &loaded.design;
+    let provenance = provenance(loaded);
     let pictures = [spectra(design, study), levels(design, study), side_view(design)];
-    pictures.into_iter().map(|picture| (folder.join(format!("{stem}-{}.svg", picture.name)), picture.file())).collect()
+    pictures
+        .into_iter()
+        .map(|picture| (folder.join(format!("{stem}-{}.svg", picture.name)), picture.file(&provenance)))
+        .collect()
+}
+
+/// The program, its version, the design and its hash.
+pub(super) fn provenance(loaded: &Loaded) -> String {
+    let source =
+        Source { role: "design".into(), name: loaded.design.name.clone(), hash: Some(hash(loaded.text.as_bytes())) };
+    Document { sources: vec![source], ..Document::default() }.provenance()
 }
 
 fn default_output(files: &[PathBuf]) -> PathBuf {
@@ -122,7 +135,7 @@ fn stems(files: &[PathBuf]) -> Vec<String> {
 }
 
 /// The time of the report: now, or what `SOURCE_DATE_EPOCH` says (reproducible-builds.org), in seconds since 1970.
-fn now() -> Result<SystemTime, CommandError> {
+pub(super) fn now() -> Result<SystemTime, CommandError> {
     /// The end of the year 9999
     const LAST: u64 = 253_402_300_799;
     let Some(seconds) = std::env::var_os("SOURCE_DATE_EPOCH") else { return Ok(SystemTime::now()) };

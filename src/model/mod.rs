@@ -17,7 +17,7 @@ use std::ops::ControlFlow;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
-pub use crate::rotor::{mesh_vector, pinion_speed_rpm};
+pub use crate::rotor::{mesh_frequency_hz, mesh_vector, pinion_speed_rpm};
 pub use caveat::{Caveat, CaveatKind};
 pub use eigen::{RotorModes, WorkDone, modes_work, natural_modes, natural_modes_over};
 pub use kind::{ModelKind, UnknownModel};

@@ -1,6 +1,7 @@
 //! Results as text: tables to read, CSV and JSON to compute with, pictures and pages to keep.
 
 pub mod csv;
+pub mod document;
 mod figures;
 pub mod html;
 pub mod json;

@@ -1,12 +1,13 @@
 //! Natural modes with the mesh, undamped: (K_s + k_m h h^T) phi = lambda M phi.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::secular::{self, Eigenvalue};
 use super::{ResponseError, both_rotor_modes};
-use crate::model::{Model, RotorModel, RotorModes};
+use crate::model::{Model, RotorModel, RotorModes, WorkDone};
 use crate::rotor::Motion;
 
 /// Shares of a mode's kinetic energy in the motions of one rotor.
@@ -61,6 +62,20 @@ impl Modes {
     ///
     /// A mode whose frequency or shape overflows.
     pub fn with_rotor_modes(model: &Model, rotors: &[RotorModes; 2], most: usize) -> Result<Self, ResponseError> {
+        Self::with_rotor_modes_over(model, rotors, most, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// As [`Modes::with_rotor_modes`]; `done` hears of each mode, from 0 to 1.
+    ///
+    /// # Errors
+    ///
+    /// As [`Modes::with_rotor_modes`]; [`ResponseError::Cancelled`] where `done` breaks.
+    pub fn with_rotor_modes_over(
+        model: &Model,
+        rotors: &[RotorModes; 2],
+        most: usize,
+        done: &mut WorkDone<'_>,
+    ) -> Result<Self, ResponseError> {
         let mut uncoupled = Uncoupled::new(model, rotors);
         uncoupled.join_equal();
         uncoupled.drop_uncoupled(model.mesh_stiffness);
@@ -99,7 +114,15 @@ impl Modes {
                 Err(ResponseError::ModesNotFinite)
             }
         };
-        Ok(Self(found.iter().take(most).map(mode).collect::<Result<_, _>>()?))
+        let count = found.len().min(most);
+        let mut modes = Vec::with_capacity(count);
+        for (i, eigenvalue) in found.iter().take(count).enumerate() {
+            if done(i as f64 / count as f64).is_break() {
+                return Err(ResponseError::Cancelled);
+            }
+            modes.push(mode(eigenvalue)?);
+        }
+        Ok(Self(modes))
     }
 }
 

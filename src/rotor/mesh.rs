@@ -20,6 +20,13 @@ pub fn signed(side: Side) -> f64 {
     }
 }
 
+/// The tooth mesh frequency f = N_p n / 60 (Hz) at the speed that the design is run at; nothing where it says no speed or no number of teeth.
+pub fn mesh_frequency_hz(design: &Design) -> Option<f64> {
+    let teeth = design.pinion.teeth.filter(|teeth| *teeth > 0)?;
+    let speed = design.operating?.pinion_speed.filter(|speed| *speed > 0.0)?;
+    Some(f64::from(teeth) * speed / std::f64::consts::TAU)
+}
+
 /// Speed of the pinion (1/min) at which its tooth mesh frequency f = N_p n / 60 is the given one (Hz); nothing where the design has no
 /// number of teeth.
 pub fn pinion_speed_rpm(design: &Design, mesh_frequency_hz: f64) -> Option<f64> {

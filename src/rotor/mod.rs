@@ -21,7 +21,7 @@ pub use assembly::ShaftMatrices;
 pub use beam::ElementMatrix;
 pub use bending::Bending;
 pub use mean_states::{MeanStates, Rolling};
-pub use mesh::{mesh_vector, pinion_speed_rpm, signed};
+pub use mesh::{mesh_frequency_hz, mesh_vector, pinion_speed_rpm, signed};
 pub use section::Section;
 pub use statics::Statics;
 pub use stations::Stations;

@@ -204,7 +204,7 @@ actions! {
     PreviousPeak, "previous-peak", Spectra, "the peak before", hint 3 "peak";
     ListPeaks, "list-peaks", Spectra, "list the bands, the peaks and their pairs, or nothing", hint 7 "list";
     Why, "why", Spectra, "why the models disagree in the band at the cursor", hint 0 "why";
-    ExportShown, "export-shown", Spectra, "write what is shown to a CSV file", hint 6 "write";
+    ExportShown, "export-shown", Program, "write what is shown to a file: .csv, .svg or .html", hint 6 "write";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

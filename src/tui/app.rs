@@ -9,6 +9,7 @@ use super::clipboard::Route;
 use super::compare::CompareView;
 use super::conflict::Conflicts;
 use super::editor::Editors;
+use super::export::ExportForm;
 use super::file_jobs::FileJob;
 use super::files::Form;
 use super::help::HelpSearch;
@@ -46,6 +47,7 @@ pub struct App {
     pub notice: Option<Notice>,
     pub messages: Messages,
     pub form: Option<Form>,
+    pub export: Option<ExportForm>,
     /// The file that the question is about.
     pub to_delete: Option<PathBuf>,
     /// Deleted since the start, the latest last.
@@ -174,6 +176,7 @@ impl App {
             notice: None,
             messages: Messages::default(),
             form: None,
+            export: None,
             to_delete: None,
             deleted: Vec::new(),
             compare: None,

@@ -9,6 +9,7 @@ use super::spectra::{ModelCurves, Subject};
 use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
+use crate::document::Document;
 use crate::model::{ModelKind, Rotors};
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
@@ -57,13 +58,23 @@ pub trait Backend: Send + Sync {
         ModelCurves::new(subject, kind, observer)
     }
 
-    /// Writes a text to a new file, and says where that is.
+    /// Writes what a screen shows to a new file, in the format that its name ends in, and says where that is.
     ///
     /// # Errors
     ///
     /// Why not, in one line. A file that is there is never overwritten.
-    fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
-        let _ = (path, text);
+    fn export(&self, path: &Path, document: &Document) -> Result<PathBuf, String> {
+        let _ = (path, document);
+        Err(READ_ONLY.into())
+    }
+
+    /// As [`export`](Self::export), of a design: its spectra as data, their picture, or the whole report. `text` is what counts in place of the file.
+    ///
+    /// # Errors
+    ///
+    /// As [`export`](Self::export), or why there is no solution.
+    fn export_design(&self, path: &Path, design: &Path, text: Option<&str>) -> Result<PathBuf, String> {
+        let _ = (path, design, text);
         Err(READ_ONLY.into())
     }
 
@@ -184,11 +195,13 @@ pub struct LoadedDesign {
     pub design: Design,
     /// What is allowed but looks unintended, one line each.
     pub warnings: Vec<String>,
+    /// As of [`crate::design::hash`]; nothing where there is no file
+    pub hash: Option<String>,
 }
 
 impl From<Design> for LoadedDesign {
     fn from(design: Design) -> Self {
-        Self { design, warnings: Vec::new() }
+        Self { design, warnings: Vec::new(), hash: None }
     }
 }
 

@@ -39,6 +39,8 @@ pub struct Compared {
 /// One of the two.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedSide {
+    /// Of the design; nothing where there is no file
+    pub hash: Option<String>,
     /// Hz
     pub frequency: Vec<f64>,
     /// |F_m| of the finite element model, dB re 1 N
@@ -76,10 +78,10 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend, wanted: &dyn Fn() -> boo
     let mut observer = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
     let unexpected = |panic: String| format!("failed unexpectedly: {panic}");
     let mut solved = |side: usize| {
-        let solve = || -> Result<(Comparison, bool), String> {
-            let design = job.design(side, backend)?;
+        let solve = || -> Result<(Comparison, bool, Option<String>), String> {
+            let (design, hash) = job.design(side, backend)?;
             let log = design.analysis.frequency_spacing == FrequencySpacing::Log;
-            Ok((backend.compare(&design, &mut observer).map_err(|error| error.to_string())?, log))
+            Ok((backend.compare(&design, &mut observer).map_err(|error| error.to_string())?, log, hash))
         };
         wanted().then(|| guarded(solve).unwrap_or_else(|panic| Err(unexpected(panic))))
     };
@@ -89,10 +91,11 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend, wanted: &dyn Fn() -> boo
     }
     let differences = guarded(|| job.differences(backend)).unwrap_or_else(|panic| Err(unexpected(panic)));
     let fe_rms_db = match &solved {
-        [Ok((a, _)), Ok((b, _))] => a.fe_rms_db(b),
+        [Ok((a, ..)), Ok((b, ..))] => a.fe_rms_db(b),
         _ => None,
     };
-    let side = |(comparison, log): (Comparison, bool)| ComparedSide {
+    let side = |(comparison, log, hash): (Comparison, bool, Option<String>)| ComparedSide {
+        hash,
         fe: levels(&comparison.fe.mesh_force),
         frequency: comparison.frequency_hz,
         log,
@@ -103,13 +106,14 @@ pub fn perform(job: &CompareJob, backend: &dyn Backend, wanted: &dyn Fn() -> boo
 }
 
 impl CompareJob {
-    fn design(&self, side: usize, backend: &dyn Backend) -> Result<Design, String> {
+    fn design(&self, side: usize, backend: &dyn Backend) -> Result<(Design, Option<String>), String> {
         let Some(text) = &self.unsaved[side] else {
-            return Ok(backend.load(&self.paths[side]).map_err(|broken| broken.one_line)?.design);
+            let loaded = backend.load(&self.paths[side]).map_err(|broken| broken.one_line)?;
+            return Ok((loaded.design, loaded.hash));
         };
         let reading = design::read(text);
         let error = reading.errors().next().map(sentence).unwrap_or_default();
-        reading.design.ok_or(error)
+        Ok((reading.design.ok_or(error)?, Some(design::hash(text.as_bytes()))))
     }
 
     fn differences(&self, backend: &dyn Backend) -> Result<Vec<Difference>, String> {
@@ -126,6 +130,10 @@ impl CompareJob {
 }
 
 impl CompareView {
+    pub fn paths(&self) -> &[PathBuf; 2] {
+        &self.paths
+    }
+
     /// Computes the columns if the width has changed.
     pub fn prepare(&mut self, width: usize, dots: usize) -> Option<&Overlaid> {
         let result = self.result.as_ref()?;

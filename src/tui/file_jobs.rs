@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use super::backend::{Backend, NotSaved};
+use super::export::Export;
 use super::message::Message;
 use super::solving::guarded;
-use super::spectra::Export;
 use crate::design::library::VariantName;
 
 /// A text to be read or written.
@@ -53,9 +53,9 @@ pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Option<Message> {
             let _ = guarded(|| backend.release(&path));
             return None;
         }
-        FileJob::Export(export) => Message::Exported(
-            guarded(|| backend.export(&export.path, &export.text())).unwrap_or_else(|panic| Err(failed(panic))),
-        ),
+        FileJob::Export(export) => {
+            Message::Exported(guarded(|| export.write(backend)).unwrap_or_else(|panic| Err(failed(panic))))
+        }
         FileJob::Left => Message::Left(guarded(|| backend.left()).unwrap_or_default()),
         FileJob::Open { path } => {
             let result = guarded(|| backend.read(&path)).unwrap_or_else(|panic| Err(failed(panic)));

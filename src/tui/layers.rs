@@ -34,6 +34,10 @@ impl App {
     /// What a key or the palette asks for: of the screen first that is in sight.
     pub(super) fn run(&mut self, action: Action) -> Vec<Effect> {
         crash::remember(self.mode.name(), action.name());
+        if action == Action::ExportShown {
+            self.open_export();
+            return Vec::new();
+        }
         if let Some(effects) = self.act_in_spectra(action) {
             return effects;
         }

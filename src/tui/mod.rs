@@ -28,6 +28,7 @@ pub mod conflict;
 mod copy;
 pub mod editor;
 pub mod effects;
+pub mod export;
 pub mod facts;
 pub mod file_jobs;
 pub mod files;

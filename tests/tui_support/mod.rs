@@ -242,7 +242,15 @@ impl Screen {
         capabilities: Capabilities,
         backend: impl Backend + 'static,
     ) -> Self {
-        let mut screen = Self::before_start(stems, width, height, capabilities, backend);
+        Self::start(Self::before_start(stems, width, height, capabilities, backend))
+    }
+
+    /// A library of files, all of it read and solved.
+    pub fn over(paths: Vec<PathBuf>, width: u16, height: u16, backend: impl Backend + 'static) -> Self {
+        Self::start(Self::unstarted(paths, width, height, UNICODE, backend))
+    }
+
+    fn start(mut screen: Self) -> Self {
         let effects = screen.app.start();
         screen.carry_out(effects);
         screen.draw();
@@ -257,7 +265,17 @@ impl Screen {
         capabilities: Capabilities,
         backend: impl Backend + 'static,
     ) -> Self {
-        let app = App::new(paths(stems), "~/designs".into(), capabilities);
+        Self::unstarted(paths(stems), width, height, capabilities, backend)
+    }
+
+    fn unstarted(
+        paths: Vec<PathBuf>,
+        width: u16,
+        height: u16,
+        capabilities: Capabilities,
+        backend: impl Backend + 'static,
+    ) -> Self {
+        let app = App::new(paths, "~/designs".into(), capabilities);
         let terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
         let mut screen = Self { app, terminal, backend: Box::new(backend), held: false, effects: Vec::new() };
         screen.draw();

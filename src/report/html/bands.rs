@@ -14,7 +14,9 @@ pub fn render(study: &Study) -> String {
             "<p>No line of the enhanced model differs from finite elements by more than {tolerance} dB.</p>\n"
         );
     }
-    let caption = format!("Bands whose lines all differ by more than {tolerance} dB, with the mode held responsible");
+    let caption = format!(
+        "Bands in which line by line the difference is more than {tolerance} dB, with the mode held responsible"
+    );
     let heads =
         ["band", "from, Hz#", "to, Hz#", "worst, dB#", "at, Hz#", "mode, Hz#", "shift, %#", "mode held responsible"];
     let mut table = Table::new(&caption, heads);

@@ -16,6 +16,10 @@ pub fn render(loaded: &Loaded) -> String {
         if sheet == Sheet::design() {
             continue;
         }
+        // without it the file has mesh vectors, and defaults of a table that is not there say nothing
+        if sheet == Sheet::mesh_geometry() && loaded.design.mesh.geometry.is_none() {
+            continue;
+        }
         let grid = Grid::new(&loaded.text, &[], &sheet);
         out.push_str(&match sheet.shape {
             Shape::Single => values(&grid),

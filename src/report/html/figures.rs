@@ -50,8 +50,8 @@ pub fn render(study: &Study) -> String {
     let sentence: String = first.next().into_iter().flat_map(char::to_uppercase).chain(first).collect();
     format!(
         "<p class=\"trust\">{}</p>\n{}<p>Up to the trust limit every sixth-octave level of a lumped model lies within {} dB of finite \
-         elements. RMS is the root mean square of the difference in dB, line by line: 0 where both are equal. FRAC is the likeness of both \
-         complex spectra: 1 where they differ by a factor only, 0 where they have nothing in common.</p>\n",
+         elements; single lines may differ by more. RMS is the root mean square of the difference in dB over all lines: 0 where both are equal. FRAC is the likeness of both \
+         complex spectra over all lines: 1 where they differ by a factor only, 0 where they have nothing in common.</p>\n",
         escape(&sentence),
         table.render(),
         Tolerance::default().band_level_db,

@@ -3,8 +3,12 @@
 mod bands;
 mod design;
 mod figures;
+mod masses;
 mod modes;
+mod shown;
 mod table;
+
+pub use shown::shown;
 
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -29,13 +33,7 @@ pub fn page(entries: &[Entry<'_>], date: &str) -> String {
         _ => None,
     };
     let title = one.clone().unwrap_or_else(|| format!("{} geared rotor designs", entries.len()));
-    let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{} - bevelscope</title>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <meta name=\"color-scheme\" content=\"light dark\"/>\n<style>{STYLE}{}</style>\n</head>\n<body>\n",
-        escape(&title),
-        include_str!("page.css"),
-    );
+    let mut out = start(&title);
     if one.is_none() {
         out.push_str(&contents(entries, &title));
     }
@@ -47,6 +45,17 @@ pub fn page(entries: &[Entry<'_>], date: &str) -> String {
     }
     out.push_str("</main>\n</body>\n</html>\n");
     out
+}
+
+/// All before the content of the body.
+fn start(title: &str) -> String {
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{} - bevelscope</title>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+         <meta name=\"color-scheme\" content=\"light dark\"/>\n<style>{STYLE}{}</style>\n</head>\n<body>\n",
+        escape(title),
+        include_str!("page.css"),
+    )
 }
 
 fn contents(entries: &[Entry<'_>], title: &str) -> String {
@@ -103,6 +112,7 @@ impl Article<'_> {
             self.section("Sixth-octave levels", &format!("{levels}{}", bands::levels(study))),
             self.section("Resonance peaks", &figures::peaks(study)),
             self.section("Natural modes with the mesh", &modes::render(study)),
+            self.section("Masses at the mesh", &masses::render(study)),
             self.section("Side view", &side_view),
             self.section("The design", &design::render(loaded)),
             self.section("Warnings and fallbacks", &design::warnings(loaded, study)),

@@ -35,13 +35,20 @@ impl Frame {
 }
 
 /// The models' line samples from a place on to the right, then a sample of a shaded band.
-pub fn legend(drawing: &mut Drawing, [x, y]: [f64; 2], band: &str) {
+pub fn legend(drawing: &mut Drawing, place: [f64; 2], band: &str) {
+    legend_of(drawing, place, &MODELS, band);
+}
+
+/// As [`legend`], of some lines; without a band where nothing is said of it.
+pub fn legend_of(drawing: &mut Drawing, [x, y]: [f64; 2], lines: &[(&str, &str)], band: &str) {
     let mut x = x;
-    for (class, name) in MODELS {
+    for (class, name) in lines {
         drawing.line(&format!("curve {class}"), [x, y - 4.0], [x + 34.0, y - 4.0]);
         drawing.text("label", [x + 40.0, y], Anchor::Start, name);
         x += 40.0 + text_width(name) + 18.0;
     }
-    drawing.rect("band", [x, y - 10.0], [x + 18.0, y + 1.0], None);
-    drawing.text("label", [x + 24.0, y], Anchor::Start, band);
+    if !band.is_empty() {
+        drawing.rect("band", [x, y - 10.0], [x + 18.0, y + 1.0], None);
+        drawing.text("label", [x + 24.0, y], Anchor::Start, band);
+    }
 }

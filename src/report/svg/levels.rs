@@ -26,7 +26,7 @@ pub fn levels(design: &Design, study: &Study) -> Picture {
     let (low, high) = ((lowest / step).floor() * step, ((highest / step).floor() + 1.0) * step);
     let y = Axis { low, high, log: false, from: BOTTOM, to: TOP };
     let mut drawing = Drawing::default();
-    legend(&mut drawing, [LEFT, 14.0], &format!("enhanced more than {tolerance_db} dB off"));
+    legend(&mut drawing, [LEFT, 14.0], &format!("sixth-octave level more than {tolerance_db} dB off"));
     let beyond = |band: &&Levels| (band.enhanced_db - band.fe_db).abs() > tolerance_db;
     for band in all.iter().filter(beyond) {
         drawing.rect("band", [x.at(band.low_hz), TOP], [x.at(band.high_hz), BOTTOM], None);

@@ -2,11 +2,15 @@
 
 mod axis;
 mod curve;
+mod document;
 mod frame;
 mod levels;
+mod panels;
+mod shapes;
 mod side_view;
 mod spectra;
 
+pub use document::picture;
 pub use levels::levels;
 pub use side_view::side_view;
 pub use spectra::spectra;
@@ -39,12 +43,13 @@ impl Picture {
         self.element("", "", prefix)
     }
 
-    /// As a file of its own.
-    pub fn file(&self) -> String {
+    /// As a file of its own, which says where it comes from.
+    pub fn file(&self, provenance: &str) -> String {
         let style = format!("<style>{STYLE}</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n");
         let attributes =
             format!(" xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{}\"", px(self.height));
-        format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.element(&attributes, &style, ""))
+        let own = Self { description: format!("{} {provenance}.", self.description), ..self.clone() };
+        format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", own.element(&attributes, &style, ""))
     }
 
     fn element(&self, attributes: &str, first: &str, prefix: &str) -> String {

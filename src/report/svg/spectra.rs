@@ -24,7 +24,7 @@ pub fn spectra(design: &Design, study: &Study) -> Picture {
     let log = analysis.frequency_spacing == FrequencySpacing::Log;
     let x = Axis { low, high, log, from: LEFT, to: RIGHT };
     let mut drawing = Drawing::default();
-    legend(&mut drawing, [LEFT, 14.0], &format!("more than {} dB apart", study.tolerance_db));
+    legend(&mut drawing, [LEFT, 14.0], &format!("enhanced more than {} dB off, line by line", study.tolerance_db));
     levels(&mut drawing, x, study);
     difference(&mut drawing, x, study);
     drawing.text("label", [f64::midpoint(LEFT, RIGHT), HEIGHT - 6.0], Anchor::Middle, "frequency, Hz");

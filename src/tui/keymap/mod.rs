@@ -10,7 +10,7 @@ pub use self::places::SCREENS;
 use self::places::{
     ALL, ANSWERED, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM, HELP,
     LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SPECTRA, TABLE, TYPING,
-    VARIANTS, VIEWS,
+    VARIANTS, VIEWS, WRITTEN,
 };
 use super::action::Action;
 
@@ -24,7 +24,8 @@ pub struct Binding {
 }
 
 /// Actions that have no key of their own, and where they can be used all the same.
-const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];
+const WITHOUT_KEY: &[(Action, &[Mode])] =
+    &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS), (Action::ExportShown, OPENED)];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -215,7 +216,8 @@ pub const BINDINGS: &[Binding] = &[
     key(SPECTRA, KeyCode::Enter, Action::Why),
     letter(SPECTRA, 'W', Action::Why),
     key(&[Mode::Why], KeyCode::Enter, Action::Back),
-    letter(SPECTRA, 'E', Action::ExportShown),
+    letter(WRITTEN, 'e', Action::ExportShown),
+    letter(WRITTEN, 'E', Action::ExportShown),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

@@ -78,6 +78,8 @@ pub const VIEWS: &[Mode] =
     &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview];
 /// Those that are whole screens.
 pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+/// Those that can be written to a file with a key.
+pub const WRITTEN: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
 pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
 pub const MODES: &[Mode] = &[Mode::Modes];
 pub const OVERVIEW: &[Mode] = &[Mode::Overview];

@@ -48,15 +48,19 @@ pub fn perform(job: &ModesJob, backend: &dyn Backend, wanted: &dyn Fn() -> bool)
     let in_words = |error: SolveError| (error != SolveError::Cancelled).then(|| error.to_string());
     let result = match &job.wanted {
         Wanted::Modes { path, unsaved, reduced } => guarded(|| {
-            let design = match unsaved {
-                None => backend.load(path).map_err(|broken| Some(broken.one_line))?.design,
+            let (design, hash) = match unsaved {
+                None => {
+                    let loaded = backend.load(path).map_err(|broken| Some(broken.one_line))?;
+                    (loaded.design, loaded.hash)
+                }
                 Some(text) => {
                     let reading = design::read(text);
                     let error = reading.errors().next().map(tui::widgets::findings::sentence).unwrap_or_default();
-                    reading.design.ok_or(Some(error))?
+                    (reading.design.ok_or(Some(error))?, Some(design::hash(text.as_bytes())))
                 }
             };
-            let study = backend.modes(&design, *reduced, wanted).map_err(in_words)?;
+            let mut study = backend.modes(&design, *reduced, wanted).map_err(in_words)?;
+            study.hash = hash;
             Ok(Answer::Modes(Arc::new(study)))
         }),
         Wanted::Reduced { study, reduced } => guarded(|| {

@@ -76,11 +76,12 @@ impl App {
         let Some(path) = path else { return Vec::new() };
         let stem = self.library.row(&path).map_or_else(String::new, |row| row.stem.clone());
         let unsaved = self.editors.unsaved_text(&path);
-        let name = if unsaved.is_some() { format!("{stem} (unsaved edits)") } else { stem };
+        let name = if unsaved.is_some() { format!("{stem} (unsaved edits)") } else { stem.clone() };
         let ticket = self.ticket();
         self.modes = Some(Box::new(ModesView {
             ticket,
             name,
+            stem,
             study: None,
             rows: Vec::new(),
             cursor: 0,

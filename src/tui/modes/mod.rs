@@ -42,6 +42,8 @@ pub struct ModesView {
     pub ticket: Ticket,
     /// The design's file, safe to show, and whether its unsaved edits count.
     pub name: String,
+    /// The same without that
+    pub stem: String,
     /// Or why there are none.
     pub study: Option<Result<Arc<Study>, String>>,
     pub rows: Vec<ModeRow>,

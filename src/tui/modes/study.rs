@@ -25,6 +25,8 @@ const AT_ONCE: usize = 400;
 #[derive(Debug, Clone)]
 pub struct Study {
     pub design: Design,
+    /// Of its file, or of what that would be if it were saved; nothing where there is none
+    pub hash: Option<String>,
     pub fe: Arc<ModelStudy>,
     lumped: [Arc<SmallStudy>; 2],
     reduced: Option<Arc<SmallStudy>>,
@@ -88,7 +90,7 @@ impl Study {
         let motions = enhanced.model.clone();
         let beside = |own| Arc::new(SmallStudy::new(own, &fe, &motions));
         let (lumped, reduced) = ([enhanced, basic].map(beside), reduced.map(beside));
-        Ok(Self { design: design.clone(), lumped, reduced, fe: Arc::new(fe) })
+        Ok(Self { design: design.clone(), hash: None, lumped, reduced, fe: Arc::new(fe) })
     }
 
     /// The same with another reduced model.

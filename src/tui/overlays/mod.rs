@@ -2,6 +2,7 @@
 
 pub mod changes;
 pub mod conflict;
+pub mod export;
 pub mod form;
 pub mod help;
 pub mod messages;
@@ -34,7 +35,7 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             Mode::Confirm => form::render_question(app, area, buffer),
             Mode::Messages => messages::render(app, area, buffer),
             Mode::Why => spectra::render_why(app, area, buffer),
-            Mode::Export => cursor = spectra::render_form(app, area, buffer),
+            Mode::Export => cursor = export::render(app, area, buffer),
             Mode::Leave => leave::render(app, area, buffer),
             Mode::Recovery => recovery::render(app, area, buffer),
             Mode::Conflict => conflict::render(app, area, buffer),

@@ -1,7 +1,7 @@
-//! Over the wide screen: why models disagree in a band, and the name of the file that is to be written.
+//! Over the wide screen: why models disagree in a band.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Position, Rect};
+use ratatui::layout::Rect;
 
 use crate::text::{printable, wrap};
 use crate::tui::app::App;
@@ -24,22 +24,4 @@ pub fn render_why(app: &mut App, area: Rect, buffer: &mut Buffer) {
     if let Some(position) = view.scroll.position() {
         panel::bottom(window, buffer, &Title::left(format!("lines {position}")), true, &theme);
     }
-}
-
-/// Draws the form and returns where the cursor stands.
-pub fn render_form(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
-    let theme = app.theme;
-    let form = app.spectra.as_ref()?.form.as_ref()?;
-    let (style, text) = match &form.refused {
-        _ if form.pending => (theme.faint, format!("writing{}", theme.glyphs.ellipsis)),
-        Some(error) => (theme.error, format!("{} {error}", theme.glyphs.broken)),
-        None => (theme.faint, "in the current folder, or with a path; nothing is overwritten".into()),
-    };
-    let lines = wrap(&text, usize::from(area.width.min(WIDTH).saturating_sub(4)));
-    let window = super::window(area, WIDTH, lines.len() as u16 + 3, buffer);
-    let inner = panel::frame(window, buffer, &Title::left("Write what is shown as CSV"), true, &theme);
-    for (line, y) in lines.iter().zip(inner.top() + 1..inner.bottom()) {
-        buffer.set_stringn(inner.x + 1, y, line, usize::from(inner.width.saturating_sub(1)), style);
-    }
-    super::typed(" file: ", &form.field, &theme, inner, buffer)
 }

@@ -40,6 +40,19 @@ impl Column {
         }
     }
 
+    /// In files, with its unit.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Design => "design",
+            Self::EnhancedLimit => "enhanced_limit_hz",
+            Self::EnhancedRms => "enhanced_rms_db",
+            Self::BasicLimit => "basic_limit_hz",
+            Self::BasicRms => "basic_rms_db",
+            Self::PeakFrequency => "fe_peak_hz",
+            Self::PeakForce => "fe_peak_n",
+        }
+    }
+
     /// Both lines of its heading.
     pub fn heads(self) -> [&'static str; 2] {
         match self {

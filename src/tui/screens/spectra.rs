@@ -19,6 +19,7 @@ use ratatui::layout::{Position, Rect};
 use ratatui::text::{Line, Span};
 
 use crate::model::ModelKind;
+use crate::number::grouped;
 use crate::text::{printable, wrap};
 use crate::tui::app::App;
 use crate::tui::spectra::{Listed, Lower, Quantity, SpectraView};
@@ -30,6 +31,9 @@ use crate::tui::widgets::{figures, findings_list, footer, header, wide_plot};
 /// From here on the list stands at the side.
 const WIDE: u16 = 116;
 const SIDE: u16 = 52;
+/// From here on it has more room.
+const VERY_WIDE: u16 = 140;
+const WIDE_SIDE: u16 = 70;
 /// Rows inside the frame from which on there is room for a list below.
 const HIGH: u16 = 16;
 const LIST_ROWS: u16 = 5;
@@ -43,10 +47,15 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     if let Some(view) = &mut app.spectra {
         header::render_named(&printable(&view.name), &theme, row(0, 1), buffer);
         let body = super::body(area);
+        view.give_list(area.width >= WIDE || body.height >= HIGH + 2);
         let is_listed = view.listed != Listed::Nothing;
-        if is_listed && area.width >= WIDE {
-            let plots = Rect { width: body.width - SIDE, ..body };
-            let list = Rect { x: plots.right(), width: SIDE, ..body };
+        if view.is_list_alone() {
+            let inner = panel::frame(body, buffer, &findings_list::title(view, &theme), true, &theme);
+            findings_list::render(view, &theme, inner, buffer);
+        } else if is_listed && area.width >= WIDE {
+            let side = if area.width >= VERY_WIDE { WIDE_SIDE } else { SIDE };
+            let plots = Rect { width: body.width - side, ..body };
+            let list = Rect { x: plots.right(), width: side, ..body };
             render_plots(view, false, &theme, plots, buffer);
             let inner = panel::frame(list, buffer, &findings_list::title(view, &theme), false, &theme);
             findings_list::render(view, &theme, inner, buffer);
@@ -120,6 +129,7 @@ fn lower_title(view: &SpectraView, theme: &Theme) -> Title<'static> {
     let mut left = match view.lower {
         Lower::Difference => {
             vec![
+                format!("{against} {minus} FE, dB, line by line (tolerance {})", view.tolerance),
                 format!("{against} {minus} FE, dB (tolerance {})", view.tolerance),
                 format!("{against} {minus} FE, dB"),
             ]
@@ -131,7 +141,9 @@ fn lower_title(view: &SpectraView, theme: &Theme) -> Title<'static> {
             let name = if beside == Quantity::MeshForce { "Dynamic mesh force" } else { "Dynamic transmission error" };
             vec![format!("{name}, {}", unit(view, beside, theme))]
         }
-        Lower::SixthOctaves => vec!["Sixth-octave levels, dB".into()],
+        Lower::SixthOctaves => {
+            vec!["Sixth-octave levels, dB: the trust limit is by these".into(), "Sixth-octave levels, dB".into()]
+        }
     };
     let recovered = |kind: &ModelKind| matches!(kind, ModelKind::Enhanced | ModelKind::Basic);
     if matches!(view.quantity, Quantity::Bearing { .. }) && view.shown_kinds().any(|kind| recovered(&kind)) {
@@ -152,6 +164,12 @@ fn render_readout(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Bu
         let band = findings.bands[at].band;
         let text = format!("band {}/{}, worst {:+.1} dB", at + 1, findings.bands.len(), band.worst_db);
         spans.push(Span::styled(text, theme.beyond));
+    }
+    if let Some(mode) = view.peak_under().and_then(|peak| peak.mode.as_ref()) {
+        spans.push(Span::styled(format!("peak: {mode}"), theme.title));
+    }
+    if let Some((hz, rpm)) = view.mesh_frequency() {
+        spans.push(Span::styled(format!("mesh {} Hz at {} rpm: 1 2 3", grouped(hz), grouped(rpm)), theme.faint));
     }
     if let Some(error) = view.failure.as_ref().filter(|_| !view.known.models.is_empty()) {
         spans.push(Span::styled(printable(error).into_owned(), theme.error));

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::quantity::Quantity;
 use super::solve::{ModelCurves, Subject};
 use super::why::Findings;
-use crate::agreement::ModalComparison;
+use crate::agreement::{ModalComparison, ModalError};
 use crate::comparison::{Observer, SolveError};
 use crate::design;
 use crate::model::ModelKind;
@@ -158,8 +158,12 @@ impl SpectraJob {
             return Err(Ended::Cancelled);
         }
         if self.known.modes_of(self.against).is_none() && !failed.contains(&self.against) {
-            let modes = ModalComparison::new(self.against, &subject.design, &subject.rotors);
-            let part = Part::Modes(Arc::new(modes.map_err(SolveError::from)?));
+            let mut done = || if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+            let modes = match ModalComparison::over(self.against, &subject.design, &subject.rotors, &mut done) {
+                Err(ModalError::Cancelled) => return Err(Ended::Cancelled),
+                modes => modes.map_err(SolveError::from)?,
+            };
+            let part = Part::Modes(Arc::new(modes));
             self.known.take(&part);
             tell(part);
             self.look(&subject, tell);
@@ -216,18 +220,22 @@ impl SpectraJob {
     /// Bands and peaks, if they are not those that are known.
     fn look(&mut self, subject: &Subject, tell: &mut dyn FnMut(Part)) {
         let modes = self.known.modes_of(self.against);
+        let curve = |kind| self.known.model(kind).and_then(|model| model.curve(self.quantity));
+        let other = if self.against == ModelKind::Enhanced { ModelKind::Basic } else { ModelKind::Enhanced };
+        let beside = curve(other).map(|curve| (other, &**curve));
         let is_known = self.known.findings.as_ref().is_some_and(|known| {
             known.against == self.against
                 && known.quantity == self.quantity
                 && (known.tolerance - self.tolerance).abs() < f64::EPSILON
                 && known.is_complete == modes.is_some()
+                && known.beside.is_some() == beside.is_some()
         });
-        let curve = |kind| self.known.model(kind).and_then(|model| model.curve(self.quantity));
         let (Some(fe), Some(lumped)) = (curve(ModelKind::Fe), curve(self.against)) else { return };
         if is_known {
             return;
         }
-        let part = Part::Findings(Arc::new(Findings::new(subject, fe, (self.against, lumped), self.tolerance, modes)));
+        let findings = Findings::new(subject, fe, (self.against, lumped), beside, self.tolerance, modes);
+        let part = Part::Findings(Arc::new(findings));
         self.known.take(&part);
         tell(part);
     }

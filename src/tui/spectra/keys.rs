@@ -1,6 +1,6 @@
 //! What the keys do to the view.
 
-use super::{Listed, Lower, MOST_REDUCED, SpectraView, TOLERANCES};
+use super::{ListPlace, Listed, Lower, MOST_REDUCED, SpectraView, TOLERANCES};
 use crate::model::ModelKind;
 use crate::tui::action::Action;
 
@@ -39,6 +39,14 @@ impl SpectraView {
             Action::NextPanel => {
                 let at = self.lower as usize + 1;
                 self.lower = Lower::ALL[at % Lower::ALL.len()];
+            }
+            Action::ListPeaks if self.list_place == ListPlace::Alone => match self.listed {
+                Listed::Bands => self.listed = Listed::Peaks,
+                _ => self.list_place = ListPlace::Hidden,
+            },
+            Action::ListPeaks if self.list_place == ListPlace::Hidden => {
+                self.list_place = ListPlace::Alone;
+                self.listed = Listed::Bands;
             }
             Action::ListPeaks => {
                 self.listed = match self.listed {

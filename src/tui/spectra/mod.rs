@@ -5,8 +5,6 @@
 
 mod columns;
 mod curve;
-mod export;
-mod form;
 mod job;
 mod keys;
 mod quantity;
@@ -19,11 +17,9 @@ use std::path::PathBuf;
 
 pub use columns::{Drawn, Request};
 pub use curve::Curve;
-pub use export::Export;
-pub use form::ExportForm;
 pub use job::{Known, Part, SpectraJob, perform};
 pub use quantity::Quantity;
-pub use readout::{Item, level_text, value};
+pub use readout::{Item, level_text, name, value};
 pub use solve::{ModelCurves, Subject};
 pub use why::{Band, Findings, Labelled};
 
@@ -31,7 +27,7 @@ use super::app::Scroll;
 use super::axis::FrequencyAxis;
 use super::solving::Ticket;
 use crate::design::FrequencySpacing;
-use crate::model::ModelKind;
+use crate::model::{ModelKind, mesh_frequency_hz, pinion_speed_rpm};
 
 /// Modes a rotor of the reduced model, at first and at most.
 const FIRST_REDUCED: usize = 3;
@@ -61,6 +57,16 @@ pub enum Listed {
     Nothing,
 }
 
+/// Where the list is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum ListPlace {
+    WithPlots,
+    /// There is no room for both
+    Hidden,
+    /// In place of the plots
+    Alone,
+}
+
 /// The view.
 #[derive(Debug)]
 pub struct SpectraView {
@@ -69,6 +75,8 @@ pub struct SpectraView {
     pub name: String,
     pub path: PathBuf,
     text: Option<String>,
+    /// What is shown is not what the file holds.
+    is_edited: bool,
     pub known: Known,
     /// How far the model is that is being solved, from 0 to 1; nothing where all is there.
     pub pending: Option<f64>,
@@ -93,19 +101,20 @@ pub struct SpectraView {
     /// A line of the analysis
     pub cursor: usize,
     pub scroll: Scroll,
-    pub form: Option<ExportForm>,
+    list_place: ListPlace,
     /// Columns of the plot that was drawn last
     width: usize,
     drawn: Option<Drawn>,
 }
 
 impl SpectraView {
-    fn new(ticket: Ticket, name: String, path: PathBuf, text: Option<String>) -> Self {
+    fn new(ticket: Ticket, name: String, path: PathBuf, text: Option<String>, is_edited: bool) -> Self {
         Self {
             ticket,
             name,
             path,
             text,
+            is_edited,
             known: Known::default(),
             pending: Some(0.0),
             failure: None,
@@ -122,10 +131,14 @@ impl SpectraView {
             window: None,
             cursor: 0,
             scroll: Scroll::default(),
-            form: None,
+            list_place: ListPlace::WithPlots,
             width: 0,
             drawn: None,
         }
+    }
+
+    pub fn is_edited(&self) -> bool {
+        self.is_edited
     }
 
     /// All four models.
@@ -191,6 +204,33 @@ impl SpectraView {
         (band.from_hz..=band.to_hz).contains(&hz).then_some(at)
     }
 
+    /// Whether the list is shown in place of the plots.
+    pub fn is_list_alone(&self) -> bool {
+        self.list_place == ListPlace::Alone
+    }
+
+    /// Whether there is room for plots and list together, which is known when they are drawn.
+    pub fn give_list(&mut self, has_room: bool) {
+        self.list_place = match (has_room, self.list_place) {
+            (true, _) => ListPlace::WithPlots,
+            (false, ListPlace::WithPlots) => ListPlace::Hidden,
+            (false, place) => place,
+        };
+    }
+
+    /// The peak that the cursor is on.
+    pub fn peak_under(&self) -> Option<&Labelled> {
+        let peak = &self.findings()?.peaks[self.peak_at()?];
+        (peak.place().to_bits() == self.at_hz()?.to_bits()).then_some(peak)
+    }
+
+    /// The mesh frequency, Hz, at the speed (1/min) that the design gives.
+    pub fn mesh_frequency(&self) -> Option<(f64, f64)> {
+        let design = &self.known.subject.as_ref()?.design;
+        let hz = mesh_frequency_hz(design)?;
+        Some((hz, pinion_speed_rpm(design, hz)?))
+    }
+
     /// The peak next to the cursor.
     pub fn peak_at(&self) -> Option<usize> {
         let hz = self.at_hz()?;
@@ -208,7 +248,11 @@ impl SpectraView {
                 self.cursor = subject.frequency_hz.len() / 2;
             }
             Part::Model(model) => self.missing.retain(|kind| *kind != model.kind),
-            Part::Progress(done) => self.pending = Some(*done),
+            // nothing else is drawn: of a million lines the columns are not found again for each step
+            Part::Progress(done) => {
+                self.pending = Some(*done);
+                return;
+            }
             Part::Failed(kind, text) => {
                 self.missing.extend(*kind);
                 self.failure = Some(text.clone());
@@ -216,8 +260,11 @@ impl SpectraView {
                     self.pending = None;
                 }
             }
-            Part::Done => self.pending = None,
-            Part::Modes(_) | Part::Findings(_) => {}
+            Part::Done => {
+                self.pending = None;
+                return;
+            }
+            Part::Modes(_) | Part::Findings(_) => return,
         }
         self.drawn = None;
     }

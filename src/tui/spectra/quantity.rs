@@ -1,5 +1,7 @@
 //! What is drawn over the frequency.
 
+use super::solve::Subject;
+use crate::agreement::{ModalComparison, Parts};
 use crate::design::{Design, Side};
 use crate::text::printable;
 
@@ -36,6 +38,17 @@ impl Part {
             Self::Y => "y (axial)",
             Self::Z => "z",
             Self::Radial => "radial",
+        }
+    }
+
+    /// Those of fx, fy, fz that it is made from.
+    fn components(self) -> &'static [usize] {
+        match self {
+            Self::Resultant => &[0, 1, 2],
+            Self::X => &[0],
+            Self::Y => &[1],
+            Self::Z => &[2],
+            Self::Radial => &[0, 2],
         }
     }
 
@@ -97,6 +110,14 @@ impl Quantity {
     /// Whether its values have a phase.
     pub fn has_phase(self) -> bool {
         !matches!(self, Self::Bearing { part: Part::Resultant | Part::Radial, .. })
+    }
+
+    /// What each mode has in it; nothing where that cannot be told.
+    pub fn parts(self, modes: &ModalComparison, subject: &Subject) -> Option<Parts> {
+        let Self::Bearing { bearing, part } = self else { return Some(Parts::of_mesh(modes)) };
+        let (side, _) = bearings(&subject.design).nth(bearing)?;
+        let before = if side == Side::Gear { subject.design.pinion.bearings.len() } else { 0 };
+        Parts::of_bearing(modes, &subject.design, &subject.rotors, (side, bearing - before), part.components()).ok()
     }
 
     /// In words; what the design says is harmless to show.

@@ -90,12 +90,10 @@ impl SpectraView {
         let mut lines = vec![place];
         if !band.sentences.is_empty() {
             lines.extend(band.sentences.iter().cloned());
-        } else if self.quantity == Quantity::MeshForce {
-            lines.push("The modes are still being computed.".into());
+        } else if findings.is_complete {
+            lines.push("No mode can be told apart from the others in this force.".into());
         } else {
-            lines.push(
-                "Reasons are known of the mesh force: the modes' parts in other quantities are not told apart.".into(),
-            );
+            lines.push("The modes are still being computed.".into());
         }
         lines
     }

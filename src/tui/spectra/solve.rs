@@ -96,7 +96,9 @@ impl ModelCurves {
     /// As [`Self::new`].
     pub fn refined(&self, subject: &Subject, observer: &mut Observer<'_>) -> Result<Self, SolveError> {
         let failed = |error| failed(self.kind, error);
-        let modes = Modes::new(&self.model, usize::MAX).map_err(failed)?;
+        // progress is that of the lines, which comes after it
+        let mut done = |_| observer(0.0);
+        let modes = Modes::with_rotor_modes_over(&self.model, &self.modes, usize::MAX, &mut done).map_err(failed)?;
         let compliance = Compliance::with_modes(&self.model, &self.modes);
         let lines = &subject.frequency_hz;
         let range = [lines.first().copied().unwrap_or(0.0), lines.last().copied().unwrap_or(0.0)];

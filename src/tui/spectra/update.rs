@@ -1,7 +1,7 @@
 //! Opening the screen, its keys, and what comes from the background.
 
 use super::job::{Part, SpectraJob};
-use super::{SpectraView, readout};
+use super::{ListPlace, SpectraView, readout};
 use crate::model::ModelKind;
 use crate::tui::action::Action;
 use crate::tui::app::App;
@@ -20,9 +20,10 @@ impl App {
             let Some(row) = self.library.selected() else { return Vec::new() };
             (row.name(), row.path.clone(), self.editors.unsaved_text(&row.path))
         };
-        let unsaved = if self.editors.unsaved_text(&path).is_some() { " (unsaved edits)" } else { "" };
+        let is_edited = self.editors.unsaved_text(&path).is_some();
+        let unsaved = if is_edited { " (unsaved edits)" } else { "" };
         let ticket = self.ticket();
-        self.spectra = Some(SpectraView::new(ticket, name + unsaved, path, text));
+        self.spectra = Some(SpectraView::new(ticket, name + unsaved, path, text, is_edited));
         self.open(Mode::Spectra);
         self.ask_for_spectra()
     }
@@ -60,7 +61,6 @@ impl App {
         let own = matches!(self.mode, Mode::Spectra);
         match action {
             Action::OpenSpectra => return Some(self.open_spectra()),
-            Action::ExportShown if own => self.open_export(),
             Action::Why if own => self.open_why(),
             Action::Back | Action::Help | Action::Palette | Action::Messages | Action::Copy | Action::Modes => {
                 return None;
@@ -90,6 +90,10 @@ impl App {
     }
 
     pub(in crate::tui) fn close_spectra(&mut self) -> Vec<Effect> {
+        if let Some(view) = self.spectra.as_mut().filter(|view| view.is_list_alone()) {
+            view.list_place = ListPlace::Hidden;
+            return Vec::new();
+        }
         self.spectra = None;
         self.close();
         vec![Effect::CancelSpectra]

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use super::quantity::Quantity;
 use super::solve::Subject;
-use crate::agreement::{
-    Causes, DisagreementBand, LEAST_PARTICIPATION, ModalComparison, PeakPair, disagreement_bands, pair_peaks, peaks,
-};
+use crate::agreement::{Causes, DisagreementBand, ModalComparison, PeakPair, disagreement_bands, pair_peaks, peaks};
 use crate::model::ModelKind;
+use crate::response::Mode;
 
 use super::curve::Curve;
 
@@ -15,6 +14,8 @@ use super::curve::Curve;
 #[derive(Debug)]
 pub struct Findings {
     pub against: ModelKind,
+    /// Another lumped model, whose peaks stand beside
+    pub beside: Option<ModelKind>,
     pub quantity: Quantity,
     /// dB
     pub tolerance: f64,
@@ -36,6 +37,8 @@ pub struct Band {
 #[derive(Debug)]
 pub struct Labelled {
     pub pair: PeakPair,
+    /// Of the other lumped model, the peak that belongs to that of finite elements, Hz
+    pub beside_hz: Option<f64>,
     pub mode: Option<String>,
 }
 
@@ -51,38 +54,49 @@ impl Findings {
         subject: &Subject,
         fe: &Curve,
         (against, lumped): (ModelKind, &Curve),
+        beside: Option<(ModelKind, &Curve)>,
         tolerance: f64,
         modes: Option<&Arc<ModalComparison>>,
     ) -> Self {
         let lines = &subject.frequency_hz;
         let quantity = fe.quantity;
+        // without static shapes of a shaft there is no part to speak of
+        let parts = modes.and_then(|modes| Some((modes, quantity.parts(modes, subject)?)));
         let band = |band: DisagreementBand| {
-            // the modes' parts are those in the mesh force
-            let modes = modes.filter(|_| quantity == Quantity::MeshForce);
-            let Some(modes) = modes else { return Band { band, mode: None, sentences: Vec::new() } };
-            let causes = Causes::new(modes, &subject.rotors, band);
-            let mode = causes.mode.as_ref().map(|(name, hz, dominant)| (*hz, format!("{name}; {dominant}")));
+            let Some((modes, parts)) = &parts else { return Band { band, mode: None, sentences: Vec::new() } };
+            let causes = Causes::in_parts(modes, parts, &subject.rotors, band);
+            let mode = causes.mode.as_ref().map(|(name, hz, dominant)| {
+                let dominant = dominant.to_string();
+                // most names are that of the motion that dominates
+                (*hz, if dominant.starts_with(name.as_str()) { dominant } else { format!("{name}; {dominant}") })
+            });
             Band { band, mode, sentences: causes.sentences() }
         };
         let bands = disagreement_bands(lines, &lumped.lines, &fe.lines, tolerance).into_iter().map(band).collect();
-        let pairs = pair_peaks(&peaks(lines, &lumped.lines), &peaks(lines, &fe.lines));
-        let labelled = |pair: PeakPair| Labelled { pair, mode: modes.and_then(|modes| mode_at(modes, &pair)) };
+        let fe_peaks = peaks(lines, &fe.lines);
+        let pairs = pair_peaks(&peaks(lines, &lumped.lines), &fe_peaks);
+        let others = beside.map_or_else(Vec::new, |(_, curve)| pair_peaks(&peaks(lines, &curve.lines), &fe_peaks));
+        // both are the same lines, bit by bit
+        let bits = |hz: Option<f64>| hz.map(f64::to_bits);
+        let beside_hz = |pair: &PeakPair| {
+            let same = |other: &&PeakPair| pair.fe_hz.is_some() && bits(other.fe_hz) == bits(pair.fe_hz);
+            others.iter().find(same)?.lumped_hz
+        };
+        let name = |pair: &PeakPair| {
+            let (modes, parts) = parts.as_ref()?;
+            let hz = pair.fe_hz.or(pair.lumped_hz)?;
+            modes.behind_peak(parts, pair.fe_hz.is_none(), hz, lines).map(Mode::name)
+        };
+        let labelled = |pair: PeakPair| Labelled { pair, beside_hz: beside_hz(&pair), mode: name(&pair) };
         let peaks = pairs.into_iter().map(labelled).collect();
-        Self { against, quantity, tolerance, bands, peaks, is_complete: modes.is_some() }
+        Self {
+            against,
+            beside: beside.map(|(kind, _)| kind),
+            quantity,
+            tolerance,
+            bands,
+            peaks,
+            is_complete: modes.is_some(),
+        }
     }
-}
-
-/// The mode next to a peak, of those that the mesh drives; nothing where none is near.
-fn mode_at(modes: &ModalComparison, pair: &PeakPair) -> Option<String> {
-    const NEAR: f64 = 0.03;
-    let (modes, hz) = match (pair.fe_hz, pair.lumped_hz) {
-        (Some(hz), _) => (&modes.fe, hz),
-        (None, Some(hz)) => (&modes.lumped, hz),
-        (None, None) => return None,
-    };
-    let largest = modes.0.iter().map(|mode| mode.participation).fold(f64::MIN_POSITIVE, f64::max);
-    let driven = modes.0.iter().filter(|mode| mode.participation >= LEAST_PARTICIPATION * largest);
-    let distance = |hz_of_mode: f64| (hz_of_mode - hz).abs();
-    let nearest = driven.min_by(|a, b| distance(a.frequency_hz).total_cmp(&distance(b.frequency_hz)))?;
-    (distance(nearest.frequency_hz) <= NEAR * hz).then(|| nearest.name())
 }

@@ -70,7 +70,10 @@ pub fn render_models(summary: &Summary, was: Option<&Summary>, theme: &Theme, ar
         let mut line = Line::default();
         let caveat = (row == 0).then(|| caveats(&summary.caveats, usize::from(area.width))).flatten();
         let caveat = caveat.map(|text| Span::styled(format!(", ! {text}"), theme.warning));
-        for part in parts.into_iter().chain(caveat).chain([Span::styled(worst, theme.faint)]) {
+        // the limit is by levels of bands, the rest line by line
+        let by = [", limit by 1/6 octave", ", RMS over all lines"][row.min(1)];
+        let after = [Span::styled(by, theme.faint), Span::styled(worst, theme.faint)];
+        for part in parts.into_iter().chain(caveat).chain(after) {
             // what does not fit as a whole is left out
             if line.width() + part.width() < usize::from(area.width) {
                 line.push_span(part);

@@ -5,9 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::panel::Title;
+use crate::model::ModelKind;
 use crate::number::grouped;
 use crate::text::{cut, printable};
-use crate::tui::spectra::{Band, Labelled, Listed, SpectraView};
+use crate::tui::spectra::{Band, Findings, Labelled, Listed, SpectraView};
 use crate::tui::theme::Theme;
 
 /// What is listed, and how much of it there is.
@@ -21,7 +22,7 @@ pub fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
     let against = super::wide_plot::legend_name(findings.against);
     let long = match view.listed {
         Listed::Peaks => format!("{count} {word}{plural}, FE and {against}"),
-        _ => format!("{count} {word}{plural}, {against} off by >{} dB", findings.tolerance),
+        _ => format!("{count} {word}{plural}, {against} off by >{} dB line by line", findings.tolerance),
     };
     Title { left: vec![long, format!("{count} {word}{plural}")], right: Vec::new() }
 }
@@ -30,14 +31,16 @@ pub fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
 pub fn render(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let Some(findings) = view.findings().filter(|_| !area.is_empty()) else { return };
     let width = usize::from(area.width);
-    let (head, rows, at): (&str, Vec<String>, Option<usize>) = match view.listed {
+    // a mode's name is worth more than the other model's peak
+    let has_beside = width >= 60 && findings.beside.is_some();
+    let (head, rows, at): (String, Vec<String>, Option<usize>) = match view.listed {
         Listed::Peaks => (
-            "  #   FE Hz   other  shift %    dB  mode",
-            findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak)).collect(),
+            peak_heads(findings, has_beside),
+            findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak, has_beside)).collect(),
             view.peak_at(),
         ),
         _ => (
-            " from Hz   to Hz  worst dB  mode",
+            " from Hz   to Hz  worst dB  mode".into(),
             findings.bands.iter().map(|band| band_row(band, findings.is_complete)).collect(),
             view.band_at(),
         ),
@@ -67,7 +70,18 @@ fn band_row(Band { band, mode, .. }: &Band, is_complete: bool) -> String {
     format!("{:>8}{:>8}{:>+10.1}  {mode}", grouped(band.from_hz), grouped(band.to_hz), band.worst_db)
 }
 
-fn peak_row(at: usize, Labelled { pair, mode }: &Labelled) -> String {
+/// Units above the columns of [`peak_row`].
+fn peak_heads(findings: &Findings, has_beside: bool) -> String {
+    let short = |kind: ModelKind| match kind {
+        ModelKind::Enhanced => "enh. Hz".into(),
+        ModelKind::Reduced(modes) => format!("r:{modes} Hz"),
+        kind => format!("{} Hz", super::wide_plot::legend_name(kind)),
+    };
+    let beside = findings.beside.filter(|_| has_beside).map_or(String::new(), |kind| format!("{:>9}", short(kind)));
+    format!(" #  FE Hz{:>8}   shift%    dB{beside}  mode", short(findings.against))
+}
+
+fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled, has_beside: bool) -> String {
     let hz = |hz: Option<f64>| hz.map_or_else(|| "-".into(), grouped);
     let signed =
         |value: Option<f64>, digits: usize| value.map_or_else(|| "-".into(), |value| format!("{value:+.digits$}"));
@@ -76,5 +90,7 @@ fn peak_row(at: usize, Labelled { pair, mode }: &Labelled) -> String {
         None => "unpaired".into(),
     };
     let (height, mode) = (signed(pair.height_db, 1), printable(mode.as_deref().unwrap_or("")));
-    format!("{:>3}{:>8}{:>8}{shift:>9}{height:>6}  {mode}", at + 1, hz(pair.fe_hz), hz(pair.lumped_hz))
+    let (fe, lumped) = (hz(pair.fe_hz), hz(pair.lumped_hz));
+    let beside = if has_beside { format!("{:>9}", hz(*beside_hz)) } else { String::new() };
+    format!("{:>2}{fe:>7}{lumped:>8}{shift:>9}{height:>6}{beside}  {mode}", at + 1)
 }

@@ -85,6 +85,7 @@ pub fn render_upper(view: &mut SpectraView, theme: &Theme, area: Rect, buffer: &
     let range = Range { low: drawn.range.0, high: drawn.range.1 };
     draw_scale(range, !view.linear_level, theme, plot, buffer);
     draw_frequencies(&drawn.axis, theme, plot, buffer);
+    draw_harmonics(view, theme, plot, buffer);
     draw_bands(view, theme, plot, buffer);
     draw_cursor(view, theme, plot, buffer);
     draw_curves(&drawn.curves, range, theme, plot, buffer);
@@ -220,6 +221,17 @@ fn draw_cursor(view: &SpectraView, theme: &Theme, plot: Rect, buffer: &mut Buffe
         put(buffer, x, y, theme.glyphs.vertical, theme.title);
     }
     put(buffer, x, plot.top(), theme.glyphs.pointer, theme.title);
+}
+
+/// The mesh frequency and its harmonics by their numbers on the axis, as far as they have one digit and are apart.
+fn draw_harmonics(view: &SpectraView, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+    let Some((mesh, _)) = view.mesh_frequency() else { return };
+    let mut free = plot.left();
+    for order in 1..=9_u8 {
+        let Some(x) = column(view, f64::from(order) * mesh, plot).filter(|x| *x >= free) else { continue };
+        put(buffer, x, plot.bottom(), char::from(b'0' + order), theme.title);
+        free = x + 2;
+    }
 }
 
 /// The number of each peak in the list, above its column.
