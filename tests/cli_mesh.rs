@@ -161,8 +161,7 @@ fn switching_a_bearing_to_balls_or_rollers_gives_a_valid_design() {
 /// A ball bearing with one shoulder that is loaded the wrong way; whoever solves the design is told.
 #[test]
 fn what_is_unusual_about_a_mean_state_is_a_warning_wherever_a_design_is_solved() {
-    const WARNING: &str =
-        "bearing[0]: \"head bearing\" in its mean state: 12 balls bear on the opposite shoulder, which a bearing with one shoulder";
+    const WARNING: &str = "bearing[0]: \"head bearing\" in its mean state: 12 balls bear on the opposite shoulder, which a bearing with one shoulder";
     let mut editor = Editor::new(std::fs::read_to_string(design("overhung-elastic")).unwrap()).unwrap();
     let bearing: KeyPath = "pinion.bearing[0]".parse().unwrap();
     editor.apply(&Edit::SetModel { bearing: bearing.clone(), model: "ball".into() }).unwrap();

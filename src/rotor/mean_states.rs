@@ -49,8 +49,9 @@ impl MeanStates {
             let state = match (mean_state(bearing), earlier.filter(is_same)) {
                 (Some(MeanState::FromTorque(_)), _) => None,
                 (_, Some(earlier)) => earlier.bearings[place].clone(),
-                (_, None) => own_state(bearing)
-                    .map_err(|error| RotorError::Bearing { name: bearing.name.clone(), error })?,
+                (_, None) => {
+                    own_state(bearing).map_err(|error| RotorError::Bearing { name: bearing.name.clone(), error })?
+                }
             };
             bearings.push(state);
         }

@@ -204,6 +204,13 @@ actions! {
     ListPeaks, "list-peaks", Spectra, "list the bands, the peaks and their pairs, or nothing", hint 7 "list";
     Why, "why", Spectra, "why the models disagree in the band at the cursor", hint 0 "why";
     ExportShown, "export-shown", Spectra, "write what is shown to a CSV file", hint 6 "write";
+    BearingLoads, "bearing-loads", Solve, "the bearings under load: mean loads, loaded elements, contact angles, stiffness", hint 7 "bearings";
+    MoreTorque, "more-torque", Solve, "a step more torque on the pinion, up to 5 %", hint 1 "torque";
+    LessTorque, "less-torque", Solve, "a step less torque on the pinion, up to 5 %", hint 1 "torque";
+    MuchMoreTorque, "much-more-torque", Solve, "a large step more torque, up to 25 %", hint 6 "large step";
+    MuchLessTorque, "much-less-torque", Solve, "a large step less torque, up to 25 %", hint 6 "large step";
+    TypeTorque, "type-torque", Solve, "type the torque of the pinion, as 300, 0.3 kN m or 221 lbf ft", hint 3 "type it";
+    NextView, "next-view", Find, "spectra, 6x6 or element loads, where there is no room for all", hint 2 "6x6/spectra";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

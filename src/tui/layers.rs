@@ -37,6 +37,9 @@ impl App {
         if let Some(effects) = self.act_in_spectra(action) {
             return effects;
         }
+        if let Some(effects) = self.act_in_bearings(action) {
+            return effects;
+        }
         let in_screen = self.act_in_editor(action).or_else(|| self.act_in_modes(action));
         in_screen.or_else(|| self.act_in_overview(action)).unwrap_or_else(|| self.act(action))
     }
@@ -58,7 +61,8 @@ impl App {
             | Action::Duplicate
             | Action::Delete
             | Action::OpenEditor
-            | Action::OpenSpectra => selected.is_some(),
+            | Action::OpenSpectra
+            | Action::BearingLoads => selected.is_some(),
             Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
             Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
             Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
@@ -67,6 +71,12 @@ impl App {
                 self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
+            Action::NextView => self.bearings.as_ref().is_some_and(|view| view.shared.len() > 1),
+            Action::Undo | Action::Redo | Action::Save | Action::Solve | Action::CancelSolve
+                if self.mode == Mode::Bearings =>
+            {
+                self.editors.open().is_some_and(|editing| applies_in_editor(editing, action))
+            }
             Action::NextOffer => self.recovery.offers.all.len() > 1,
             Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),
             Action::Quit

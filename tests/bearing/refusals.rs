@@ -94,7 +94,11 @@ fn what_is_unusual_is_said() {
     // ordinary under a radial load: worth a note, and no warning
     assert!((1..12).contains(&unloaded), "{unloaded}");
     assert_eq!(radial.note(), Some(format!("{unloaded} of 12 rolling elements carry no load")));
-    assert!(!radial.warnings.iter().any(|warning| matches!(warning, Warning::FewLoaded { .. })), "{:?}", radial.warnings);
+    assert!(
+        !radial.warnings.iter().any(|warning| matches!(warning, Warning::FewLoaded { .. })),
+        "{:?}",
+        radial.warnings
+    );
     // with this much clearance the load rests on the elements right below it
     let loose = Bearing::new(Data { clearance: 5e-5, ..ball.data() }).unwrap();
     let held = [None, Some(0.0), Some(0.0), Some(0.0), Some(0.0)];

@@ -7,9 +7,9 @@ use ratatui::crossterm::event::KeyCode;
 
 pub use self::mode::Mode;
 use self::places::{
-    ALL, ANSWERED, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM, HELP,
-    LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SCREENS, SPECTRA, TABLE,
-    TYPING, VARIANTS, VIEWS,
+    ALL, ANSWERED, BEARINGS, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM,
+    HELP, LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SCREENS, SPECTRA,
+    TABLE, TYPING, VARIANTS, VIEWS,
 };
 use super::action::Action;
 
@@ -208,6 +208,26 @@ pub const BINDINGS: &[Binding] = &[
     letter(SPECTRA, 'W', Action::Why),
     key(&[Mode::Why], KeyCode::Enter, Action::Back),
     letter(SPECTRA, 'E', Action::ExportShown),
+    letter(OPENED, 'B', Action::BearingLoads),
+    letter(BEARINGS, 'B', Action::Back),
+    letter(BEARINGS, '+', Action::MoreTorque),
+    letter(BEARINGS, '-', Action::LessTorque),
+    letter(BEARINGS, '>', Action::MuchMoreTorque),
+    letter(BEARINGS, '<', Action::MuchLessTorque),
+    letter(BEARINGS, 't', Action::TypeTorque),
+    key(BEARINGS, KeyCode::Tab, Action::NextView),
+    key(BEARINGS, KeyCode::Left, Action::MoveLeft),
+    letter(BEARINGS, 'h', Action::MoveLeft),
+    key(BEARINGS, KeyCode::Right, Action::MoveRight),
+    letter(BEARINGS, 'l', Action::MoveRight),
+    key(BEARINGS, KeyCode::Enter, Action::OpenEditor),
+    letter(BEARINGS, 'u', Action::Undo),
+    control(BEARINGS, 'r', Action::Redo),
+    letter(BEARINGS, 's', Action::Save),
+    letter(BEARINGS, '=', Action::Solve),
+    letter(BEARINGS, 'L', Action::ToggleLive),
+    letter(BEARINGS, 'X', Action::CancelSolve),
+    letter(BEARINGS, '!', Action::Messages),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

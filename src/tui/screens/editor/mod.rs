@@ -15,7 +15,7 @@
 //! ```
 
 mod message;
-mod spectra;
+pub(super) mod spectra;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
