@@ -131,10 +131,10 @@ actions! {
     ReplaceCell, "replace-cell", Edit, "type in place of the value";
     CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
     ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";
-    AddRow, "add-row", Edit, "add a row below", hint 3 "add row";
+    AddRow, "add-row", Edit, "add a row below; a drive where the shaft has none", hint 3 "add row";
     InsertRow, "insert-row", Edit, "add a row above";
     DuplicateRow, "duplicate-row", Edit, "add a copy of the row below it", hint 6 "duplicate";
-    DeleteRow, "delete-row", Edit, "delete the row", hint 6 "delete row";
+    DeleteRow, "delete-row", Edit, "delete the row, or the drive of the shaft", hint 6 "delete row";
     MoveRowUp, "move-row-up", Edit, "move the row up";
     MoveRowDown, "move-row-down", Edit, "move the row down";
     Undo, "undo", Edit, "take the last edit back", hint 3 "undo";

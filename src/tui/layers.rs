@@ -3,7 +3,7 @@
 use super::action::Action;
 use super::app::App;
 use super::conflict::Conflict;
-use super::editor::{Editing, Layer};
+use super::editor::{Editing, Layer, Tab};
 use super::keymap::Mode;
 use super::message::Effect;
 use crate::crash;
@@ -100,7 +100,8 @@ fn applies_in_editor(editing: &Editing, action: Action) -> bool {
         Action::Redo => editing.editor.redo_name().is_some(),
         Action::Save => editing.is_modified(),
         Action::OtherShaft => editing.tab.has_sides(),
-        Action::AddRow => editing.view.shape != Shape::Single,
+        Action::AddRow => editing.view.shape != Shape::Single || editing.lacks_drive(),
+        Action::DeleteRow if editing.tab == Tab::Drives => editing.has_drive(),
         Action::DuplicateRow => is_list && is_there,
         Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
         Action::CancelSolve => editing.solving.pending.is_some(),

@@ -2,9 +2,8 @@
 
 use super::text::as_text;
 use super::torque::{LARGE_STEP, STEP, edit, typed};
-use super::{BearingsView, follows_torque, places, rows, stepped, torque};
+use super::{BearingsView, follows_torque, places, rows, shown_torque, stepped, torque};
 use crate::design::{Edit, KeyPath, Side};
-use crate::number::significant;
 use crate::tui::action::Action;
 use crate::tui::app::App;
 use crate::tui::editor::{Editing, Tab};
@@ -193,7 +192,7 @@ fn place_of(editing: &Editing, cursor: usize) -> Option<(Side, usize)> {
 
 fn say_torque(editing: &mut Editing) {
     let torque = editing.design.as_ref().and_then(|design| torque(design));
-    let now = torque.map_or("no torque".into(), |torque| format!("torque {} N m", significant(torque, 6)));
+    let now = torque.map_or("no torque".into(), |torque| format!("torque {} N m", shown_torque(torque)));
     let without = if follows_torque(editing) { "" } else { ": no bearing follows it, and neither do the spectra" };
     editing.say(format!("{now}{without}"));
 }

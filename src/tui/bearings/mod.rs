@@ -8,12 +8,14 @@ mod text;
 mod torque;
 
 pub use states::{BearingStates, SideStates, displacement, load, resultant};
-pub use torque::{stepped, torque};
+pub use torque::{shown_torque, stepped, torque};
 
 use super::app::Scroll;
-use super::editor::{Editing, same_mechanics};
+use super::editor::{Editing, Tab, same_mechanics};
 use super::text_field::TextField;
+use crate::bearing::State;
 use crate::design::{Bearing, Design, Side};
+use crate::number::grouped;
 use crate::rotor::{Rolling, Support};
 
 /// What is seen where there is no room for everything.
@@ -100,6 +102,27 @@ pub fn failure_of<'a>(reason: &'a str, row: &BearingRow<'_>) -> Option<&'a str> 
     let is_code =
         |word: &&str| word.len() > 3 && word.chars().all(|letter| letter.is_ascii_uppercase() || letter == '_');
     of_side.split([' ', ':']).find(is_code)
+}
+
+/// What is known of the bearing under the cursor of the tables under load, in a line.
+pub fn in_words(editing: &Editing) -> Option<String> {
+    if editing.tab != Tab::Bearings || is_stale(editing) {
+        return None;
+    }
+    let rows = rows(editing);
+    let at = (editing.side, editing.cursor().row);
+    let rolling = rows.iter().find(|row| (row.side, row.place) == at)?.rolling?;
+    let (load, state) = (load(rolling), &rolling.state);
+    let [x, y, z] = [load[0], load[1], load[2]].map(grouped);
+    let (loaded, elements, angles) = (state.loaded(), state.contacts.len(), angles(state));
+    Some(format!("load {x}, {y}, {z} N in x, y, z, {loaded} of {elements} loaded at {angles} deg"))
+}
+
+/// Contact angles of the loaded elements, from the least to the greatest, deg.
+pub fn angles(state: &State) -> String {
+    let Some(range) = state.angle_range() else { return "-".into() };
+    let [low, high] = range.map(|angle| format!("{:.1}", angle.to_degrees()));
+    if low == high { low } else { format!("{low}..{high}") }
 }
 
 /// Whether a bearing of the design takes its load from the torque.

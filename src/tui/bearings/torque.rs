@@ -2,6 +2,7 @@
 
 use crate::design::grid::Sheet;
 use crate::design::{Design, Edit, KeyPath, Spelled};
+use crate::number::significant;
 use crate::tui::editor::Editing;
 
 /// A part of the torque that a step is at most.
@@ -11,6 +12,12 @@ pub(super) const LARGE_STEP: f64 = 0.25;
 /// Torque of the pinion, N m.
 pub fn torque(design: &Design) -> Option<f64> {
     design.operating.and_then(|operating| operating.pinion_torque)
+}
+
+/// A torque (N m) in figures, as short as it is.
+pub fn shown_torque(torque: f64) -> String {
+    let plain = torque.to_string();
+    if plain.len() <= 9 { plain } else { significant(torque, 6) }
 }
 
 /// The next value above (`up`) or below, so that the values stay multiples of 1, 2 or 5 times a power of ten that are at most

@@ -21,11 +21,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
 use super::editor::spectra;
-use crate::number::significant;
 use crate::text::{cut, printable, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::App;
-use crate::tui::bearings::{BearingRow, BearingsView, Pane, failure, follows_torque, is_stale, rows, torque};
+use crate::tui::bearings::{
+    BearingRow, BearingsView, Pane, failure, follows_torque, is_stale, rows, shown_torque, torque,
+};
 use crate::tui::editor::Editing;
 use crate::tui::keymap::Mode;
 use crate::tui::keys::KeyNames;
@@ -76,7 +77,7 @@ fn render_body(
     }
     let lower = Rect { y: upper.bottom(), height: area.height - upper.height, ..area };
     let (left, right) = if area.width >= TWO_PANES {
-        let left = (2 * lower.height + 2).clamp(28, lower.width * 2 / 5);
+        let left = (2 * lower.height + 2).clamp(26, lower.width * 2 / 5);
         (left, Rect { x: lower.x + left, width: lower.width - left, ..lower })
     } else {
         (0, lower)
@@ -110,7 +111,7 @@ fn render_body(
 fn title(editing: &Editing) -> Title<'static> {
     let stale = if is_stale(editing) { "stale: " } else { "" };
     let shown = |design: &crate::design::Design| match torque(design) {
-        Some(torque) => format!("{} N m", significant(torque, 6)),
+        Some(torque) => format!("{} N m", shown_torque(torque)),
         None => "no torque".into(),
     };
     let Some(now) = editing.last_design.as_ref().map(|design| shown(design)) else { return Title::left("Bearings") };
@@ -166,9 +167,9 @@ fn render_elements(editing: &Editing, view: &BearingsView, theme: &Theme, area: 
     };
     element_loads::render(state, view.element, theme, inner, buffer);
     if let Some(contact) = state.contacts.get(view.element) {
-        let long = element_loads::readout(view.element, contact);
-        let short = long.replacen("element ", "", 1);
-        panel::bottom(area, buffer, &Title { left: vec![long, short], right: Vec::new() }, false, theme);
+        let left = element_loads::readout(view.element, contact).into();
+
+        panel::bottom(area, buffer, &Title { left, right: Vec::new() }, false, theme);
     }
 }
 

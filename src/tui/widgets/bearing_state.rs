@@ -1,8 +1,8 @@
 //! One bearing in numbers: its mean load, where its inner ring stands, and the stiffness that follows.
 //!
 //! ```text
-//!  load N    -8,123  12,410  6,001   N m  12.3  -4.5
-//!  moved um  4.21  10.53  -0.84   mrad  0.012  0.003
+//!  mean load, N x -8,123 y 12,410 z 6,001, N m thx 12.3 thz -4.5
+//!  inner ring, um x 4.21 y 10.53 z -0.84, mrad thx 0.012 thz 0.003
 //!  17 of 17 loaded, most 1,400 N, contact angle 20.0 deg
 //!            x        y        z      thx      thy      thz
 //!  x    1.99e9   -1.2e7        0  ...
@@ -13,11 +13,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::bearing_table::angles;
 use crate::bearing::State;
 use crate::number::{grouped, significant};
 use crate::text::wrap;
-use crate::tui::bearings::{BearingRow, displacement, load};
+use crate::tui::bearings::{BearingRow, angles, displacement, load};
 use crate::tui::theme::Theme;
 
 const MOTIONS: [&str; 6] = ["x", "y", "z", "thx", "thy", "thz"];
@@ -69,30 +68,21 @@ pub fn render(row: &BearingRow<'_>, theme: &Theme, area: Rect, buffer: &mut Buff
 fn state_lines(row: &BearingRow<'_>, state: &State, width: usize) -> Vec<(String, Style)> {
     let Some(rolling) = row.rolling else { return Vec::new() };
     let (load, moved) = (load(rolling), displacement(rolling));
-    let three = |of: &dyn Fn(usize) -> String| {
-        ["x", "y", "z"].iter().enumerate().map(|(i, name)| format!("{name} {}", of(i))).collect::<Vec<_>>().join("  ")
+    let is_wide = width >= 66;
+    let (words, digits) = if is_wide { (["mean load, ", "inner ring, "], 4) } else { (["", ""], 3) };
+    let line = |words: &str, units: [&str; 2], across: [String; 3], about: [f64; 2]| {
+        let [x, y, z] = across;
+        let [thx, thz] = about.map(|value| significant(value, 3));
+        let (unit, unit_about) = (units[0], units[1]);
+        format!(" {words}{unit} x {x} y {y} z {z}, {unit_about} thx {thx} thz {thz}")
     };
-    let figure = |value: f64| significant(value, 4);
-    let angles = format!("contact angle {} deg", angles(state));
-    let most = grouped(state.greatest_load());
-    let loaded = format!("{} of {} loaded, most {most} N, {angles}", state.loaded(), state.contacts.len());
-    let words = if width >= 66 { ["mean load ", "inner ring "] } else { ["", ""] };
+    let across = [0, 1, 2].map(|i| significant(moved[i] * 1e6, digits));
+    let angle = if is_wide { "contact angle" } else { "angle" };
+    let (loaded, most) = (state.loaded(), grouped(state.greatest_load()));
     let lines = [
-        format!(
-            " {}N: {}; N m: thx {} thz {}",
-            words[0],
-            three(&|i| grouped(load[i])),
-            significant(load[3], 3),
-            significant(load[5], 3)
-        ),
-        format!(
-            " {}um: {}; mrad: thx {} thz {}",
-            words[1],
-            three(&|i| figure(moved[i] * 1e6)),
-            significant(moved[3] * 1e3, 3),
-            significant(moved[5] * 1e3, 3)
-        ),
-        format!(" {loaded}"),
+        line(words[0], ["N", "N m"], [0, 1, 2].map(|i| grouped(load[i])), [load[3], load[5]]),
+        line(words[1], ["um", "mrad"], across, [moved[3] * 1e3, moved[5] * 1e3]),
+        format!(" {loaded} of {} loaded, most {most} N, {angle} {} deg", state.contacts.len(), angles(state)),
     ];
     lines.into_iter().map(|line| (line, Style::new())).collect()
 }
@@ -104,13 +94,13 @@ fn heading(width: usize) -> String {
 }
 
 fn column(width: usize) -> usize {
-    (width.saturating_sub(LABEL) / 6).clamp(8, 12)
+    (width.saturating_sub(LABEL) / 6).clamp(7, 11)
 }
 
 /// What is rounding beside the diagonal is shown as the zero it stands for.
 fn matrix_row(matrix: &Matrix6<f64>, i: usize, width: usize) -> String {
     let column = column(width);
-    let digits = column.saturating_sub(7).min(4);
+    let digits = column.saturating_sub(6).min(4);
     let negligible = |j: usize| matrix[(i, j)].abs() <= 1e-13 * (matrix[(i, i)] * matrix[(j, j)]).abs().sqrt();
     let entry = |j: usize| if negligible(j) { "0".to_owned() } else { format!("{:.*e}", digits, matrix[(i, j)]) };
     let entries: String = (0..6).map(|j| format!("{:>column$}", entry(j))).collect();

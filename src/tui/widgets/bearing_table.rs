@@ -11,10 +11,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
-use crate::bearing::State;
 use crate::number::{grouped, significant};
 use crate::text::{cut, printable};
-use crate::tui::bearings::{BearingRow, BearingsView, failure_of, load, resultant};
+use crate::tui::bearings::{BearingRow, BearingsView, angles, failure_of, load, resultant};
 use crate::tui::theme::Theme;
 
 /// The least columns for shaft and name.
@@ -110,11 +109,4 @@ fn figure(column: &str, row: &BearingRow<'_>) -> String {
         "most N" => grouped(state.greatest_load()),
         _ => angles(state),
     }
-}
-
-/// Contact angles of the loaded elements, from the least to the greatest, deg.
-pub fn angles(state: &State) -> String {
-    let Some(range) = state.angle_range() else { return "-".into() };
-    let [low, high] = range.map(|angle| format!("{:.1}", angle.to_degrees()));
-    if low == high { low } else { format!("{low}..{high}") }
 }

@@ -45,14 +45,11 @@ pub fn render(state: &State, selected: usize, theme: &Theme, area: Rect, buffer:
     }
 }
 
-/// One element in words.
-pub fn readout(at: usize, contact: &Contact) -> String {
-    format!(
-        "element {at} at {:.1} deg: {} N at {:.1} deg",
-        contact.position.to_degrees(),
-        grouped(contact.load),
-        contact.angle.to_degrees()
-    )
+/// One element in words, the longest first.
+pub fn readout(at: usize, contact: &Contact) -> [String; 3] {
+    let (load, angle) = (grouped(contact.load), contact.angle.to_degrees());
+    let short = format!("{at}: {:.1} deg, {load} N", contact.position.to_degrees());
+    [format!("element {short}, contact angle {angle:.1} deg"), format!("{short}, contact {angle:.1} deg"), short]
 }
 
 /// A picture in which one unit is a column, and a row is two of them.
@@ -67,8 +64,7 @@ struct Picture {
 impl Picture {
     fn new(theme: &Theme, area: Rect) -> Self {
         let (width, height) = (f64::from(area.width), 2.0 * f64::from(area.height));
-        // the outermost cell is inside
-        let radius = (width.min(height) / 2.0 - 1.0).max(0.0);
+        let radius = (width.min(height) / 2.0 - 0.5).max(0.0);
         let canvas = Canvas::new(area.width, area.height, theme.marker);
         Self { canvas, dots: theme.marker.dots(), area, centre: [width / 2.0, height / 2.0], radius }
     }
