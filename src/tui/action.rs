@@ -210,6 +210,8 @@ actions! {
     MuchMoreTorque, "much-more-torque", Solve, "a large step more torque, up to 25 %", hint 6 "large step";
     MuchLessTorque, "much-less-torque", Solve, "a large step less torque, up to 25 %", hint 6 "large step";
     TypeTorque, "type-torque", Solve, "type the torque of the pinion, as 300, 0.3 kN m or 221 lbf ft", hint 3 "type it";
+    NextElement, "next-element", Move, "the next element of the bearing, round from +z towards +x", hint 5 "element";
+    PreviousElement, "previous-element", Move, "the element before", hint 5 "element";
     NextView, "next-view", Find, "spectra, 6x6 or element loads, where there is no room for all", hint 2 "6x6/spectra";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }

@@ -71,6 +71,7 @@ impl App {
                 self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
+            Action::NextElement | Action::PreviousElement => self.has_elements(),
             Action::NextView => self.bearings.as_ref().is_some_and(|view| view.shared.len() > 1),
             Action::Undo | Action::Redo | Action::Save | Action::Solve | Action::CancelSolve
                 if self.mode == Mode::Bearings =>

@@ -48,8 +48,8 @@ impl App {
                 let at = view.shared.iter().position(|pane| *pane == view.pane).map_or(0, |at| at + 1);
                 view.pane = view.shared.get(at).or(view.shared.first()).copied().unwrap_or_default();
             }
-            Action::MoveLeft => self.move_element(-1),
-            Action::MoveRight => self.move_element(1),
+            Action::PreviousElement => self.move_element(-1),
+            Action::NextElement => self.move_element(1),
             Action::Undo | Action::Redo => return Some(self.step_in_bearings(action)),
             _ => return self.act_on_solution(action),
         }
@@ -119,6 +119,16 @@ impl App {
         }
     }
 
+    /// Whether the selected bearing has elements to be read out.
+    pub(in crate::tui) fn has_elements(&self) -> bool {
+        let row = self
+            .editors
+            .open()
+            .zip(self.bearings.as_ref())
+            .map(|(editing, view)| rows(editing).get(view.cursor).copied());
+        row.flatten().is_some_and(|row| row.rolling.is_some())
+    }
+
     fn step_torque(&mut self, up: bool, part: f64) -> Vec<Effect> {
         let keys = self.keys.names(Mode::Bearings, self.theme.glyphs.ascii);
         let how = keys.of(Action::TypeTorque);
@@ -161,9 +171,9 @@ impl App {
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
         let place = (editing.tab, editing.side);
         if action == Action::Undo {
-            editing.undo()
+            editing.undo();
         } else {
-            editing.redo()
+            editing.redo();
         }
         editing.show(place.0, place.1);
         let count = rows(editing).len();

@@ -91,12 +91,15 @@ pub fn failure(editing: &Editing) -> Option<&str> {
 
 /// What a failure says of one bearing, in one word such as `NO_CONTACT`; nothing where it is not about it.
 pub fn failure_of<'a>(reason: &'a str, row: &BearingRow<'_>) -> Option<&'a str> {
-    let of_side = ["both".to_owned(), row.side.name().to_owned()].into_iter().find_map(|who| {
-        let start = reason.find(&format!("{who} shaft: "))?;
+    let of_side = ["both shafts: ".to_owned(), format!("{} shaft: ", row.side.name())].into_iter().find_map(|who| {
+        let start = reason.find(&who)?;
         let rest = &reason[start..];
         Some(rest.find("; gear shaft: ").map_or(rest, |end| &rest[..end]))
     })?;
-    if !of_side.contains(&format!("bearing \"{}\"", row.bearing.name.escape_debug())) {
+    let is_named = of_side.contains(&format!("bearing \"{}\"", row.bearing.name.escape_debug()));
+    // what is about the whole shaft is about all bearings that were looked for with it
+    let is_of_shaft = !of_side.contains("bearing \"") && row.bearing.model.follows_torque();
+    if !is_named && !is_of_shaft {
         return None;
     }
     let is_code =

@@ -23,12 +23,12 @@ pub fn shown_torque(torque: f64) -> String {
 /// The next value above (`up`) or below, so that the values stay multiples of 1, 2 or 5 times a power of ten that are at most
 /// `part` of them; steps up and down meet the same values. From 0 the first step is 1.
 pub fn stepped(value: f64, up: bool, part: f64) -> f64 {
+    // a value on the edge of two steps goes down with the smaller one
+    const NEAR: f64 = 1e-9;
     let size = value.abs();
     if size == 0.0 {
         return if up { 1.0 } else { 0.0 };
     }
-    // a value on the edge of two steps goes down with the smaller one
-    const NEAR: f64 = 1e-9;
     let step = nice_below(part * size * if up { 1.0 + NEAR } else { 1.0 - NEAR });
     let count = size / step;
     let count = if up { (count * (1.0 + NEAR)).floor() + 1.0 } else { (count * (1.0 - NEAR)).ceil() - 1.0 };

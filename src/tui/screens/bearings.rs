@@ -21,6 +21,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
 use super::editor::spectra;
+use crate::number::grouped;
 use crate::text::{cut, printable, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::App;
@@ -146,7 +147,10 @@ fn render_elements(editing: &Editing, view: &BearingsView, theme: &Theme, area: 
     let rows = rows(editing);
     let Some(row) = selected(&rows, view) else { return };
     let stale = if is_stale(editing) { "stale: " } else { "" };
+    let most = row.rolling.map(|rolling| grouped(rolling.state.greatest_load()));
+    let most = most.map_or(String::new(), |most| format!(", longest {most} N"));
     let title = [
+        format!("{stale}Element loads of {}, from +y{most}", name(row)),
         format!("{stale}Element loads of {}, from +y", name(row)),
         format!("{stale}Element loads, from +y"),
         format!("{stale}Loads, from +y"),

@@ -72,9 +72,9 @@ fn state_lines(row: &BearingRow<'_>, state: &State, width: usize) -> Vec<(String
     let (words, digits) = if is_wide { (["mean load, ", "inner ring, "], 4) } else { (["", ""], 3) };
     let line = |words: &str, units: [&str; 2], across: [String; 3], about: [f64; 2]| {
         let [x, y, z] = across;
-        let [thx, thz] = about.map(|value| significant(value, 3));
+        let [thx, thz] = about.map(|value| significant(value, digits - 1));
         let (unit, unit_about) = (units[0], units[1]);
-        format!(" {words}{unit} x {x} y {y} z {z}, {unit_about} thx {thx} thz {thz}")
+        format!("{words}{unit} x {x} y {y} z {z}, {unit_about} thx {thx} thz {thz}")
     };
     let across = [0, 1, 2].map(|i| significant(moved[i] * 1e6, digits));
     let angle = if is_wide { "contact angle" } else { "angle" };
@@ -82,14 +82,16 @@ fn state_lines(row: &BearingRow<'_>, state: &State, width: usize) -> Vec<(String
     let lines = [
         line(words[0], ["N", "N m"], [0, 1, 2].map(|i| grouped(load[i])), [load[3], load[5]]),
         line(words[1], ["um", "mrad"], across, [moved[3] * 1e3, moved[5] * 1e3]),
-        format!(" {loaded} of {} loaded, most {most} N, {angle} {} deg", state.contacts.len(), angles(state)),
+        format!("{loaded} of {} loaded, most {most} N, {angle} {} deg", state.contacts.len(), angles(state)),
     ];
-    lines.into_iter().map(|line| (line, Style::new())).collect()
+    let room = width.saturating_sub(1);
+    let wrapped = lines.iter().flat_map(|line| wrap(line, room));
+    wrapped.map(|line| (format!(" {line}"), Style::new())).collect()
 }
 
 fn heading(width: usize) -> String {
     let column = column(width);
-    let names: String = MOTIONS.iter().map(|name| format!("{name:>column$}")).collect();
+    let names = MOTIONS.map(|name| format!("{name:>column$}")).concat();
     format!("{:LABEL$}{names}", "")
 }
 
@@ -103,6 +105,6 @@ fn matrix_row(matrix: &Matrix6<f64>, i: usize, width: usize) -> String {
     let digits = column.saturating_sub(6).min(4);
     let negligible = |j: usize| matrix[(i, j)].abs() <= 1e-13 * (matrix[(i, i)] * matrix[(j, j)]).abs().sqrt();
     let entry = |j: usize| if negligible(j) { "0".to_owned() } else { format!("{:.*e}", digits, matrix[(i, j)]) };
-    let entries: String = (0..6).map(|j| format!("{:>column$}", entry(j))).collect();
+    let entries = [0, 1, 2, 3, 4, 5].map(|j| format!("{:>column$}", entry(j))).concat();
     format!(" {:<1$}{entries}", MOTIONS[i], LABEL - 1)
 }

@@ -52,7 +52,8 @@ pub fn render(
     let shown = shown(width);
     let used: usize = shown.iter().map(|column| column.1).sum();
     let room = width.saturating_sub(used + 3);
-    let heading: String = shown.iter().map(|column| format!("{:>1$}", column.0, column.1)).collect();
+    let heading: Vec<String> = shown.iter().map(|column| format!("{:>1$}", column.0, column.1)).collect();
+    let heading = heading.concat();
     buffer.set_stringn(area.x, area.y, format!("  {:<room$}{heading}", "bearing"), width, theme.faint);
     for ((at, row), y) in rows.iter().enumerate().skip(view.scroll.top).zip(area.y + 1..area.bottom()) {
         let is_selected = at == view.cursor;
@@ -71,10 +72,8 @@ pub fn render(
         let name = format!("{} {}", row.side.name(), printable(&row.bearing.name));
         let name = cut(&name, room, theme.glyphs.ellipsis);
         let gap = " ".repeat(room.saturating_sub(name.width()));
-        let figures: String = match code {
-            Some(code) => format!("  {code}"),
-            None => shown.iter().map(|column| format!("{:>1$}", figure(column.0, row), column.1)).collect(),
-        };
+        let figures = || shown.iter().map(|column| format!("{:>1$}", figure(column.0, row), column.1)).collect();
+        let figures = code.map_or_else(figures, |code| vec![format!("  {code}")]).concat();
         buffer.set_stringn(area.x, y, format!("{marker} {name}{gap}{figures}"), width, style);
     }
 }

@@ -23,7 +23,7 @@ use crate::tui::theme::Theme;
 /// The ring's part of the greatest radius; the rest is for the bars.
 const RING: f64 = 0.55;
 /// Columns of an element in the list.
-const ENTRY: u16 = 27;
+const ENTRY: u16 = 23;
 /// Rows of the picture that the list leaves.
 const PICTURE: u16 = 13;
 
@@ -48,7 +48,12 @@ pub fn render(state: &State, selected: usize, theme: &Theme, area: Rect, buffer:
 /// One element in words, the longest first.
 pub fn readout(at: usize, contact: &Contact) -> [String; 3] {
     let (load, angle) = (grouped(contact.load), contact.angle.to_degrees());
-    let short = format!("{at}: {:.1} deg, {load} N", contact.position.to_degrees());
+    let place = format!("{at}: {:.1} deg", contact.position.to_degrees());
+    if contact.load == 0.0 {
+        let short = format!("{place}, no load");
+        return [format!("element {short}"), short.clone(), short];
+    }
+    let short = format!("{place}, {load} N");
     [format!("element {short}, contact angle {angle:.1} deg"), format!("{short}, contact {angle:.1} deg"), short]
 }
 
@@ -142,6 +147,7 @@ fn render_picture(state: &State, selected: usize, theme: &Theme, area: Rect, buf
 
 /// All elements in columns, from the page on that the selected one is on.
 fn render_list(contacts: &[Contact], selected: usize, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+    let wide = usize::from(ENTRY.min(area.width));
     let columns = usize::from(area.width / ENTRY).max(1);
     let rows = usize::from(area.height).saturating_sub(1);
     if rows == 0 || contacts.is_empty() {
@@ -153,14 +159,14 @@ fn render_list(contacts: &[Contact], selected: usize, theme: &Theme, area: Rect,
         let x = area.x + ENTRY * column as u16;
         let from = first + column * rows;
         if from < contacts.len() {
-            buffer.set_stringn(x, area.y, format!("{:>4}{:>7}{:>8}{:>6}", "", "deg", "N", "deg"), 26, theme.faint);
+            buffer.set_stringn(x, area.y, format!("{:>3}{:>7}{:>8}{:>5}", "", "deg", "N", "deg"), wide, theme.faint);
         }
         for (at, y) in (from..contacts.len().min(from + rows)).zip(area.y + 1..area.bottom()) {
             let contact = &contacts[at];
             let angle = if contact.load > 0.0 { format!("{:.1}", contact.angle.to_degrees()) } else { "-".into() };
             let (position, load) = (contact.position.to_degrees(), grouped(contact.load));
             let style = if at == selected { theme.selected } else { Style::new() };
-            buffer.set_stringn(x, y, format!("{at:>4}{position:>7.1}{load:>8}{angle:>6}"), 26, style);
+            buffer.set_stringn(x, y, format!("{at:>3}{position:>7.1}{load:>8}{angle:>5}"), wide, style);
         }
     }
 }
