@@ -52,6 +52,7 @@
 //! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
 //! - The forces of bearings, mesh and drive on a shaft are what accelerates its mass (`tests/bearing_forces.rs`).
 //! - Loads of a bearing are the gradient of one convex energy, its stiffness the derivative of the loads (`tests/bearing`).
+//! - A mean state is found again only where something that it depends on has changed (`tests/mean_states.rs`, `tests/tui_bearings.rs`).
 //! - A bearing without contact has no stiffness matrix: it is an error (`tests/bearing`, `tests/mean_states.rs`).
 //! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no

@@ -158,18 +158,69 @@ fn switching_a_bearing_to_balls_or_rollers_gives_a_valid_design() {
     }
 }
 
-/// Ten of the 21 rollers of the axle's loaded gear bearing face away from the load; whoever solves the design is told.
+/// A ball bearing with one shoulder that is loaded the wrong way; whoever solves the design is told.
 #[test]
-fn unloaded_elements_are_a_warning_wherever_a_design_is_solved() {
-    const WARNING: &str = "tapered-axle.toml: warning: gear.bearing[0]: \"B1\" in its mean state: 10 of 21 rolling elements carry no load";
+fn what_is_unusual_about_a_mean_state_is_a_warning_wherever_a_design_is_solved() {
+    const WARNING: &str = "bearing[0]: \"head bearing\" in its mean state: 12 balls bear on the opposite shoulder, which a bearing with one shoulder";
+    let mut editor = Editor::new(std::fs::read_to_string(design("overhung-elastic")).unwrap()).unwrap();
+    let bearing: KeyPath = "pinion.bearing[0]".parse().unwrap();
+    editor.apply(&Edit::SetModel { bearing: bearing.clone(), model: "ball".into() }).unwrap();
+    for (key, value) in [("elements", "12"), ("contact_angle_deg", "-40.0")] {
+        editor.apply(&Edit::Set { path: bearing.key(key), value: Spelled::parse(value).unwrap() }).unwrap();
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("wrong.toml").display().to_string();
+    std::fs::write(&file, editor.text()).unwrap();
+    for command in ["solve", "modes", "bands"] {
+        let output = bevelscope(&[command, &file]);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success() && text.contains(WARNING), "{command}: {text}");
+    }
+    let output = bevelscope(&["check", &file]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success() && text.contains("wrong !") && text.contains(WARNING), "{text}");
+}
+
+/// Ten of the 21 rollers of the axle's loaded gear bearing face away from the load, which is as it should be.
+#[test]
+fn unloaded_elements_are_a_note_of_inspect_and_no_warning() {
     for command in ["solve", "modes", "bands"] {
         let output = bevelscope(&[command, "designs/tapered-axle.toml"]);
-        assert!(output.status.success());
-        assert!(String::from_utf8_lossy(&output.stderr).contains(WARNING), "{command}");
-        let none = bevelscope(&[command, "designs/straddle-helical.toml"]);
-        assert!(none.status.success() && none.stderr.is_empty(), "{command}");
+        assert!(output.status.success() && output.stderr.is_empty(), "{command}");
     }
-    let output = bevelscope(&["check", "designs/tapered-axle.toml"]);
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(output.status.success() && text.contains("tapered-axle !") && text.contains(WARNING), "{text}");
+    let text = String::from_utf8(bevelscope(&["check", "designs/tapered-axle.toml"]).stdout).unwrap();
+    assert!(text.contains("\ntapered-axle  ") && !text.contains("warning"), "{text}");
+    let text = String::from_utf8(bevelscope(&["inspect", "designs/tapered-axle.toml"]).stdout).unwrap();
+    assert!(text.contains("\n  note: 10 of 21 rolling elements carry no load\n"), "{text}");
+    let value = json(&["inspect", "designs/tapered-axle.toml", "--format", "json"]);
+    let state = &value["gear"]["bearings"][0]["mean_state"];
+    assert_eq!(state["note"], "10 of 21 rolling elements carry no load");
+    assert_eq!(state["warnings"], serde_json::json!([]));
+}
+
+/// The elements that are listed are the bearing's load: their forces add up to it, and they stand in the table one by one.
+#[test]
+fn the_elements_of_a_bearing_add_up_to_its_load() {
+    for name in ["tapered-axle", "tapered-hypoid"] {
+        let value = json(&["inspect", &design(name), "--format", "json"]);
+        let table = String::from_utf8(bevelscope(&["inspect", &design(name)]).stdout).unwrap();
+        for state in ["pinion", "gear"].iter().flat_map(|side| value[side]["bearings"].as_array().unwrap()) {
+            let state = &state["mean_state"];
+            let list = |key: &str| state[key].as_array().unwrap().iter().map(number).collect::<Vec<f64>>();
+            let (loads, angles) = (list("element_loads_n"), list("element_contact_angles_deg"));
+            let mut sum = [0.0_f64; 3];
+            for ((load, position), angle) in loads.iter().zip(list("element_positions_deg")).zip(&angles) {
+                let (position, angle) = (position.to_radians(), angle.to_radians());
+                let radial = load * angle.cos();
+                sum = [sum[0] + radial * position.sin(), sum[1] + load * angle.sin(), sum[2] + radial * position.cos()];
+            }
+            let load = ["x_n", "y_n", "z_n"].map(|key| number(&state["load"][key]));
+            let size = load.iter().map(|load| load.abs()).fold(0.0, f64::max);
+            for (sum, load) in sum.iter().zip(load) {
+                assert!((sum - load).abs() <= 1e-9 * size, "{name}: {sum} {load}");
+            }
+            let greatest = loads.iter().copied().fold(0.0, f64::max);
+            assert!(table.contains(&bevelscope::number::significant(greatest, 4)), "{name}: {greatest}");
+        }
+    }
 }

@@ -188,6 +188,7 @@ fn modules_know_what_the_architecture_says() {
             &[
                 "tui",
                 "agreement",
+                "bearing",
                 "comparison",
                 "design",
                 "document",

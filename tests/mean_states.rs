@@ -4,6 +4,8 @@
 
 mod support;
 
+use std::sync::Arc;
+
 use bevelscope::bearing::{EquilibriumError, frames};
 use bevelscope::design::{
     BallBearing, BeamTheory, Bearing, BearingModel, Design, MeanLoad, Operating, Preload, RollerBearing, RotorDesign,
@@ -304,11 +306,30 @@ fn bearings_by_preload_are_those_of_the_bearing_alone() {
 fn a_state_is_taken_over_exactly_where_nothing_it_depends_on_differs() {
     let design = tapers(300.0, 1e-5);
     let first = Rotors::new(&design).unwrap();
-    let mut damped = design.clone();
-    damped.mesh.stiffness *= 2.0;
-    damped.pinion.drive.as_mut().unwrap().inertia *= 2.0;
-    let again = Rotors::reusing(&damped, Some(&first)).unwrap();
-    assert_eq!(again.pinion.mean_states, first.pinion.mean_states);
+    let is_kept = |rotors: &Rotors, side: Side| {
+        Arc::ptr_eq(&rotors.get(side).mean_states.bearings, &first.get(side).mean_states.bearings)
+    };
+    let neither: [fn(&mut Design); 9] = [
+        |d| d.mesh.stiffness *= 2.0,
+        |d| d.mesh.damping *= 2.0,
+        |d| d.analysis.frequency_lines += 7,
+        |d| d.pinion.drive.as_mut().unwrap().position *= 0.9,
+        |d| d.pinion.bodies[0].mass *= 2.0,
+        |d| d.pinion.bearings[0].name = "another".into(),
+        |d| d.pinion.bearings[0].axial_series_stiffness = Some(1e9),
+        |d| d.materials.get_mut("steel").unwrap().density *= 1.01,
+        |d| d.operating.as_mut().unwrap().pinion_speed = Some(100.0),
+    ];
+    for (at, change) in neither.iter().enumerate() {
+        let mut design = design.clone();
+        change(&mut design);
+        let again = Rotors::reusing(&design, Some(&first)).unwrap();
+        assert!(Side::BOTH.into_iter().all(|side| is_kept(&again, side)), "{at}");
+    }
+    let mut gear = design.clone();
+    gear.gear.bearings[1].position *= 1.01;
+    let again = Rotors::reusing(&gear, Some(&first)).unwrap();
+    assert!(is_kept(&again, Side::Pinion) && !is_kept(&again, Side::Gear));
     for change in [
         |d: &mut Design| d.operating = Some(Operating { pinion_torque: Some(310.0), pinion_speed: None }),
         |d: &mut Design| d.mesh.pinion.point[2] *= 1.01,

@@ -81,6 +81,10 @@ fn screens() -> Vec<Make> {
         "eMx",
     ];
     screens.extend(in_tables.map(|keys| after(keys, tables)));
+    let axle = || Screen::with(&["tapered-axle"], 80, 24, UNICODE, Shelf::shipped());
+    screens.extend(
+        ["B", "B<Tab>jj+", "B<Tab><Tab>ll", "Bt12", "Bt<Ctrl-u>0<Enter>", "e<F2>B?"].map(|keys| after(keys, axle)),
+    );
     screens
 }
 

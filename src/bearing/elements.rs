@@ -36,11 +36,11 @@ pub struct State {
     pub warnings: Vec<Warning>,
 }
 
-/// What is worth a second look at a state.
+/// What is unusual about a state. That some elements carry no load is not: under a radial load half of them seldom do.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Warning {
-    #[error("{unloaded} of {elements} rolling elements carry no load")]
-    Unloaded { unloaded: usize, elements: usize },
+    #[error("all of the load is carried by {loaded} of {elements} rolling elements")]
+    FewLoaded { loaded: usize, elements: usize },
     #[error("{0} balls bear on the opposite shoulder, which a bearing with one shoulder does not have")]
     OppositeShoulder(usize),
     #[error(
@@ -53,6 +53,17 @@ impl State {
     /// Elements that carry a load.
     pub fn loaded(&self) -> usize {
         self.contacts.iter().filter(|contact| contact.load > 0.0).count()
+    }
+
+    /// What is worth knowing and not unusual: how many elements carry no load, where there are any.
+    pub fn note(&self) -> Option<String> {
+        let (elements, loaded) = (self.contacts.len(), self.loaded());
+        (loaded < elements).then(|| format!("{} of {elements} rolling elements carry no load", elements - loaded))
+    }
+
+    /// The greatest load of an element, N.
+    pub fn greatest_load(&self) -> f64 {
+        self.contacts.iter().map(|contact| contact.load).fold(0.0, f64::max)
     }
 
     /// Least and greatest contact angle of the loaded elements, rad; nothing where none is loaded.
@@ -159,10 +170,12 @@ impl Bearing {
     }
 
     fn warnings(&self, contacts: &[Contact]) -> Vec<Warning> {
+        // two lines of contact hold the shaft in one direction only
+        const FEW: usize = 2;
         let mut warnings = Vec::new();
-        let unloaded = contacts.iter().filter(|contact| contact.load == 0.0).count();
-        if unloaded > 0 {
-            warnings.push(Warning::Unloaded { unloaded, elements: self.0.elements });
+        let loaded = contacts.iter().filter(|contact| contact.load > 0.0).count();
+        if (1..=FEW).contains(&loaded) {
+            warnings.push(Warning::FewLoaded { loaded, elements: self.0.elements });
         }
         let Kind::Ball { groove_distance } = self.0.kind else { return warnings };
         let opposite = |contact: &&Contact| contact.load > 0.0 && contact.angle * self.0.contact_angle < 0.0;

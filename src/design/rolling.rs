@@ -1,5 +1,7 @@
 //! Ball and roller bearings of a design, in SI units and rad. Declared like the rest of the [model](super::model).
 
+use super::model::Design;
+use super::rotor::BearingModel;
 use super::schema::{Kind, Limit, Presence, Written};
 use crate::bearing;
 use crate::units::Quantity;
@@ -107,6 +109,25 @@ words! {
     /// Where the mean load of a bearing comes from.
     pub enum MeanLoad {
         FromTorque = "from-torque",
+    }
+}
+
+impl BearingModel {
+    /// Whether the mean state follows from the torque.
+    pub fn follows_torque(&self) -> bool {
+        let mean_load = match self {
+            Self::Ball(ball) => ball.mean_load,
+            Self::Roller(roller) => roller.mean_load,
+            _ => None,
+        };
+        mean_load.is_some()
+    }
+}
+
+impl Design {
+    /// Whether a bearing's stiffness depends on the torque.
+    pub fn follows_torque(&self) -> bool {
+        [&self.pinion, &self.gear].into_iter().flat_map(|rotor| &rotor.bearings).any(|one| one.model.follows_torque())
     }
 }
 

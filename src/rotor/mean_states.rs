@@ -1,5 +1,7 @@
 //! Mean states of the ball and roller bearings of a rotor: what their stiffness depends on.
 
+use std::sync::Arc;
+
 use nalgebra::Vector6;
 
 use super::{BearingError, RotorError, Stations, mean_shaft, mesh_vector, signed};
@@ -17,20 +19,20 @@ pub struct Rolling {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeanStates {
     inputs: Inputs,
-    /// In the design's order; nothing for bearings whose stiffness is given
-    pub bearings: Vec<Option<Rolling>>,
+    /// In the design's order; nothing for bearings whose stiffness is given. Shared with the states that they were taken over from
+    pub bearings: Arc<[Option<Rolling>]>,
 }
 
-/// All that the mean states depend on.
+/// All that the mean states depend on: names, series springs, masses and drives are not among it.
 #[derive(Debug, Clone, PartialEq)]
 struct Inputs {
-    bearings: Vec<Bearing>,
+    bearings: Vec<BearingModel>,
     /// The shaft and the mean load at its mesh station, where a state follows from the torque
     shaft: Option<(Stations, Vector6<f64>)>,
 }
 
 impl MeanStates {
-    /// Finds the mean states, or takes those of `earlier` where they come from the same. `stations` are the coarsest.
+    /// Finds the mean states, or takes those of `earlier` where they come from the same.
     ///
     /// # Errors
     ///
@@ -40,18 +42,26 @@ impl MeanStates {
         if let Some(earlier) = earlier.filter(|earlier| earlier.inputs == inputs) {
             return Ok(earlier.clone());
         }
-        let named = |bearing: &Bearing, error| RotorError::Bearing { name: bearing.name.clone(), error };
+        let rotor = design.rotor(side);
         let mut bearings = Vec::with_capacity(inputs.bearings.len());
-        for bearing in &inputs.bearings {
-            bearings.push(own_state(bearing).map_err(|error| named(bearing, error))?);
+        for (place, bearing) in rotor.bearings.iter().enumerate() {
+            let is_same = |earlier: &&Self| earlier.inputs.bearings.get(place) == Some(&bearing.model);
+            let state = match (mean_state(bearing), earlier.filter(is_same)) {
+                (Some(MeanState::FromTorque(_)), _) => None,
+                (_, Some(earlier)) => earlier.bearings[place].clone(),
+                (_, None) => {
+                    own_state(bearing).map_err(|error| RotorError::Bearing { name: bearing.name.clone(), error })?
+                }
+            };
+            bearings.push(state);
         }
         if let Some((stations, load)) = &inputs.shaft {
             let given = |place: usize| bearings[place].as_ref().map(|rolling: &Rolling| rolling.state.stiffness);
-            for (place, rolling) in mean_shaft::solve(design.rotor(side), stations, load, given)? {
+            for (place, rolling) in mean_shaft::solve(rotor, stations, load, given)? {
                 bearings[place] = Some(rolling);
             }
         }
-        Ok(Self { inputs, bearings })
+        Ok(Self { inputs, bearings: bearings.into() })
     }
 
     /// What is unusual about the states, each with the place of its bearing.
@@ -69,16 +79,16 @@ impl MeanStates {
 
 impl Inputs {
     fn new(design: &Design, side: Side, stations: &Stations) -> Result<Self, RotorError> {
-        let bearings = design.rotor(side).bearings.clone();
+        let bearings = &design.rotor(side).bearings;
         let from_torque = |bearing: &&Bearing| matches!(mean_state(bearing), Some(MeanState::FromTorque(_)));
         let shaft = match bearings.iter().find(from_torque) {
             None => None,
             Some(bearing) => {
                 let error = || RotorError::Bearing { name: bearing.name.clone(), error: BearingError::NoTorque };
-                Some((stations.clone(), mean_mesh_load(design, side).ok_or_else(error)?))
+                Some((stations.of_springs(), mean_mesh_load(design, side).ok_or_else(error)?))
             }
         };
-        Ok(Self { bearings, shaft })
+        Ok(Self { bearings: bearings.iter().map(|bearing| bearing.model.clone()).collect(), shaft })
     }
 }
 

@@ -164,7 +164,7 @@ impl Rotor {
         let totals = Totals::new(rotor, &stations);
         totals.check_finite()?;
         let coarse = stations.coarsened();
-        let mean_states = MeanStates::new(design, side, &coarse, earlier)?;
+        let mean_states = MeanStates::new(design, side, &stations, earlier)?;
         let supports = Supports::new(rotor, &mean_states)?;
         assembly::check_supported(&stations, &supports)?;
         let statics = Statics::new(rotor, &coarse, &supports)?;

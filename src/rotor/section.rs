@@ -54,6 +54,12 @@ impl Section {
             polar_inertia: material.density * 2.0 * second_moment,
         }
     }
+
+    /// The same section of a material that weighs nothing.
+    #[must_use]
+    pub fn without_mass(&self) -> Self {
+        Self { mass: 0.0, rotary_inertia: 0.0, diametral_inertia: 0.0, polar_inertia: 0.0, ..*self }
+    }
 }
 
 /// Shear coefficient kappa of a round section with diameter ratio `r` = inner / outer (Cowper 1966).

@@ -103,6 +103,13 @@ impl Stations {
         }
     }
 
+    /// The coarsest shaft of the same stiffness between mesh and bearings: without masses and without the drive.
+    #[must_use]
+    pub fn of_springs(&self) -> Self {
+        let sections = self.sections.iter().map(Section::without_mass).collect();
+        Self { sections, drive: None, bodies: Vec::new(), ..self.clone() }.coarsened()
+    }
+
     /// Torsional compliance of the shaft between the mesh and the drive, rad/(N m); 0 without a drive.
     pub fn torsional_compliance(&self) -> f64 {
         let drive = self.drive.unwrap_or(self.mesh);

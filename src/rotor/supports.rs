@@ -48,7 +48,7 @@ impl Supports {
             in_series(bearing, own_stiffness(bearing, state.as_ref().map(|state| &state.state.stiffness)))
         };
         let bearings =
-            rotor.bearings.iter().zip(&mean_states.bearings).map(stiffness).collect::<Result<Vec<_>, _>>()?;
+            rotor.bearings.iter().zip(mean_states.bearings.iter()).map(stiffness).collect::<Result<Vec<_>, _>>()?;
         let housing = match rotor.housing_axial_stiffness {
             None => Housing::Stiff,
             Some(bolt) => housing(&bearings, bolt)?,

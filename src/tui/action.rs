@@ -132,10 +132,10 @@ actions! {
     ReplaceCell, "replace-cell", Edit, "type in place of the value";
     CycleCell, "cycle-cell", Edit, "the next of the words that the cell may hold", hint 1 "next word";
     ClearCell, "clear-cell", Edit, "clear the cell, so that its default holds", hint 7 "clear";
-    AddRow, "add-row", Edit, "add a row below", hint 3 "add row";
+    AddRow, "add-row", Edit, "add a row below; a drive where the shaft has none", hint 3 "add row";
     InsertRow, "insert-row", Edit, "add a row above";
     DuplicateRow, "duplicate-row", Edit, "add a copy of the row below it", hint 6 "duplicate";
-    DeleteRow, "delete-row", Edit, "delete the row", hint 6 "delete row";
+    DeleteRow, "delete-row", Edit, "delete the row, or the drive of the shaft", hint 6 "delete row";
     MoveRowUp, "move-row-up", Edit, "move the row up";
     MoveRowDown, "move-row-down", Edit, "move the row down";
     Undo, "undo", Edit, "take the last edit back", hint 3 "undo";
@@ -205,6 +205,15 @@ actions! {
     ListPeaks, "list-peaks", Spectra, "list the bands, the peaks and their pairs, or nothing", hint 7 "list";
     Why, "why", Spectra, "why the models disagree in the band at the cursor", hint 0 "why";
     ExportShown, "export-shown", Program, "write what is shown to a file: .csv, .svg or .html", hint 6 "write";
+    BearingLoads, "bearing-loads", Solve, "the bearings under load: mean loads, loaded elements, contact angles, stiffness", hint 7 "bearings";
+    MoreTorque, "more-torque", Solve, "a step more torque on the pinion, up to 5 %", hint 1 "torque";
+    LessTorque, "less-torque", Solve, "a step less torque on the pinion, up to 5 %", hint 1 "torque";
+    MuchMoreTorque, "much-more-torque", Solve, "a large step more torque, up to 25 %", hint 6 "large step";
+    MuchLessTorque, "much-less-torque", Solve, "a large step less torque, up to 25 %", hint 6 "large step";
+    TypeTorque, "type-torque", Solve, "type the torque of the pinion, as 300, 0.3 kN m or 221 lbf ft", hint 3 "type it";
+    NextElement, "next-element", Move, "the next element of the bearing, round from +z towards +x", hint 5 "element";
+    PreviousElement, "previous-element", Move, "the element before", hint 5 "element";
+    NextView, "next-view", Find, "spectra, 6x6 or element loads, where there is no room for all", hint 2 "6x6/spectra";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

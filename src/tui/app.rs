@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::backend::LoadedDesign;
+use super::bearings::{BearingStates, BearingsView};
 use super::caps::Capabilities;
 use super::clipboard::Route;
 use super::compare::CompareView;
@@ -55,6 +56,7 @@ pub struct App {
     pub compare: Option<CompareView>,
     pub spectra: Option<SpectraView>,
     pub modes: Option<Box<ModesView>>,
+    pub bearings: Option<BearingsView>,
     pub overview: Overview,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
@@ -87,6 +89,7 @@ pub enum Outcome {
         loaded: Arc<LoadedDesign>,
         summary: Box<Summary>,
         picture: Box<Picture>,
+        bearings: Option<Arc<BearingStates>>,
     },
     /// Neither read nor solved; the whole message.
     Failed { title: &'static str, text: String },
@@ -182,6 +185,7 @@ impl App {
             compare: None,
             spectra: None,
             modes: None,
+            bearings: None,
             overview: Overview::default(),
             clipboard: Route::default(),
             recovery: Recovery::default(),

@@ -53,6 +53,7 @@ const EXPLORER: &[Mode] = &[
     Mode::Spectra,
     Mode::Why,
     Mode::Modes,
+    Mode::Bearings,
     Mode::Overview,
     Mode::Confirm,
     Mode::Leave,
@@ -63,6 +64,7 @@ const EXPLORER: &[Mode] = &[
 ];
 const EDITOR: &[Mode] = &[
     Mode::Modes,
+    Mode::Bearings,
     Mode::Table,
     Mode::Matrix,
     Mode::Choice,
@@ -77,9 +79,9 @@ const EDITOR: &[Mode] = &[
 ];
 /// Where letters are text.
 const TYPED_IN_EXPLORER: &[Mode] =
-    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::HelpSearch];
+    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Torque, Mode::HelpSearch];
 const TYPED_IN_EDITOR: &[Mode] =
-    &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::HelpSearch];
+    &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::Torque, Mode::HelpSearch];
 
 impl App {
     pub(super) fn open_help(&mut self) {

@@ -3,7 +3,7 @@
 use super::action::Action;
 use super::app::App;
 use super::conflict::Conflict;
-use super::editor::{Editing, Layer};
+use super::editor::{Editing, Layer, Tab};
 use super::keymap::Mode;
 use super::message::Effect;
 use crate::crash;
@@ -41,6 +41,9 @@ impl App {
         if let Some(effects) = self.act_in_spectra(action) {
             return effects;
         }
+        if let Some(effects) = self.act_in_bearings(action) {
+            return effects;
+        }
         let in_screen = self.act_in_editor(action).or_else(|| self.act_in_modes(action));
         in_screen.or_else(|| self.act_in_overview(action)).unwrap_or_else(|| self.act(action))
     }
@@ -62,7 +65,8 @@ impl App {
             | Action::Duplicate
             | Action::Delete
             | Action::OpenEditor
-            | Action::OpenSpectra => selected.is_some(),
+            | Action::OpenSpectra
+            | Action::BearingLoads => selected.is_some(),
             Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
             Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
             Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
@@ -77,6 +81,13 @@ impl App {
                 self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
             }
             Action::Compare => selected.is_some_and(|row| self.compared_with(row).is_some()),
+            Action::NextElement | Action::PreviousElement => self.has_elements(),
+            Action::NextView => self.bearings.as_ref().is_some_and(|view| view.shared.len() > 1),
+            Action::Undo | Action::Redo | Action::Save | Action::Solve | Action::CancelSolve
+                if self.mode == Mode::Bearings =>
+            {
+                self.editors.open().is_some_and(|editing| applies_in_editor(editing, action))
+            }
             Action::NextOffer => self.recovery.offers.all.len() > 1,
             Action::TakeTheirs => self.conflicts.present().is_some_and(Conflict::can_be_taken),
             Action::Quit
@@ -100,7 +111,8 @@ fn applies_in_editor(editing: &Editing, action: Action) -> bool {
         Action::Redo => editing.editor.redo_name().is_some(),
         Action::Save => editing.is_modified(),
         Action::OtherShaft => editing.tab.has_sides(),
-        Action::AddRow => editing.view.shape != Shape::Single,
+        Action::AddRow => editing.view.shape != Shape::Single || editing.lacks_drive(),
+        Action::DeleteRow if editing.tab == Tab::Drives => editing.has_drive(),
         Action::DuplicateRow => is_list && is_there,
         Action::DeleteRow => editing.view.shape != Shape::Single && is_there,
         Action::CancelSolve => editing.solving.pending.is_some(),

@@ -20,6 +20,7 @@ pub mod action;
 pub mod app;
 pub mod axis;
 pub mod backend;
+pub mod bearings;
 pub mod caps;
 pub mod clipboard;
 pub mod colours;

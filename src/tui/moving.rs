@@ -11,6 +11,7 @@ impl App {
         match self.mode {
             Mode::Modes => self.modes.as_ref().map_or(1, |view| view.page()),
             Mode::Overview => self.overview.page(),
+            Mode::Bearings => self.bearings.as_ref().map_or(1, |view| view.scroll.page()),
             Mode::Filter if self.below.contains(&Mode::Overview) => self.overview.page(),
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
@@ -30,6 +31,7 @@ impl App {
             Mode::Overview => self.move_in_overview(by),
             Mode::Filter if self.below.contains(&Mode::Overview) => self.move_in_overview(by),
             Mode::Modes => self.move_in_modes(by),
+            Mode::Bearings => self.move_in_bearings(by),
             Mode::Library | Mode::Filter => {
                 self.library.move_by(by);
                 return self.follow_selection();
@@ -82,7 +84,13 @@ impl App {
             }
             Mode::Spectra => return self.close_spectra(),
             Mode::Export => self.close_export(),
-            Mode::Frequency | Mode::Help | Mode::Palette | Mode::Confirm | Mode::Messages | Mode::Why => self.close(),
+            Mode::Frequency
+            | Mode::Torque
+            | Mode::Help
+            | Mode::Palette
+            | Mode::Confirm
+            | Mode::Messages
+            | Mode::Why => self.close(),
             Mode::Recovery => {
                 self.close();
                 self.say("kept for later: :recover shows them again");

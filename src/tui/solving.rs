@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::backend::{Backend, BrokenDesign};
+use super::bearings::BearingStates;
 use super::files::FileRequest;
 use super::message::Message;
 use super::overview::outline;
@@ -59,19 +60,22 @@ pub struct Summary {
 pub struct Solved {
     pub summary: Summary,
     pub traces: Option<Box<Traces>>,
+    /// Of the rotors that it was solved with; nothing where only the figures are wanted
+    pub bearings: Option<Arc<BearingStates>>,
 }
 
 /// Does one job and reports the design as soon as it is read, then its solution.
 ///
 /// A panic in the backend becomes the design's error: the rest of the library stays usable.
 pub fn perform(job: &Job, backend: &dyn Backend, report: &mut dyn FnMut(Message)) {
-    perform_while(job, backend, &|| true, report);
+    perform_while(job, backend, &mut None, &|| true, report);
 }
 
-/// As [`perform`]; a solution that is no longer wanted is given up without a word.
+/// As [`perform`]; a solution that is no longer wanted is given up without a word. `rotors` are those that were solved before.
 pub(super) fn perform_while(
     job: &Job,
     backend: &dyn Backend,
+    rotors: &mut Option<Rotors>,
     wanted: &dyn Fn() -> bool,
     report: &mut dyn FnMut(Message),
 ) {
@@ -88,7 +92,9 @@ pub(super) fn perform_while(
     };
     report(Message::Loaded { ticket, path: path.clone(), result: Ok(Arc::clone(&loaded)) });
     let mut observer = |_| if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-    if let Some(result) = solve(&loaded.design, with_traces, || backend.compare(&loaded.design, &mut observer)) {
+    let design = &loaded.design;
+    let compare = |rotors: &mut Option<Rotors>| backend.compare_edited(design, rotors, &mut observer);
+    if let Some(result) = solve(design, with_traces, rotors, compare) {
         report(Message::Solved { ticket, path, result });
     }
 }
@@ -120,7 +126,8 @@ pub fn perform_edited(
         }
         if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    if let Some(result) = solve(&design, true, || backend.compare_edited(&design, rotors, &mut observer)) {
+    let compare = |rotors: &mut Option<Rotors>| backend.compare_edited(&design, rotors, &mut observer);
+    if let Some(result) = solve(&design, true, rotors, compare) {
         report(Message::SolvedEdited { ticket, path, result });
     }
 }
@@ -129,11 +136,13 @@ pub fn perform_edited(
 fn solve(
     design: &Design,
     with_traces: bool,
-    compare: impl FnOnce() -> Result<Comparison, SolveError>,
+    rotors: &mut Option<Rotors>,
+    compare: impl FnOnce(&mut Option<Rotors>) -> Result<Comparison, SolveError>,
 ) -> Option<Result<Solved, String>> {
     let started = Instant::now();
     let solved = guarded(|| {
-        let comparison = compare()?;
+        let comparison = compare(rotors)?;
+        let bearings = rotors.as_ref().filter(|_| with_traces).map(|rotors| Arc::new(BearingStates::of(rotors)));
         let elapsed = started.elapsed();
         let traces = with_traces.then(|| Box::new(Traces::new(&comparison, &design.analysis)));
         let summary = Summary {
@@ -146,7 +155,7 @@ fn solve(
             basic: comparison.basic_agreement,
             caveats: comparison.caveats,
         };
-        Ok(Solved { summary, traces })
+        Ok(Solved { summary, traces, bearings })
     });
     match solved {
         Ok(Ok(solved)) => Some(Ok(solved)),

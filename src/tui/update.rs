@@ -137,12 +137,13 @@ impl App {
         }
         if self.awaits(ticket, path) {
             match result {
-                Ok(Solved { summary, traces: Some(traces) }) => {
+                Ok(Solved { summary, traces: Some(traces), bearings }) => {
                     let Some(loaded) = self.detail.loaded.take() else { return };
                     self.finish(Outcome::Solved {
                         loaded,
                         summary: Box::new(summary),
                         picture: Box::new(Picture::new(*traces)),
+                        bearings,
                     });
                 }
                 Ok(_) => {}
@@ -194,6 +195,7 @@ impl App {
             Mode::Name => self.edit_form(edit),
             Mode::Export => self.edit_export(edit),
             Mode::Frequency => self.edit_frequency(edit),
+            Mode::Torque => self.edit_torque_field(edit),
             _ => {}
         }
         Vec::new()

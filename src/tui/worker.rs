@@ -150,7 +150,9 @@ impl Worker {
                         super::modes::perform(&job, &*backend, &wanted).into_iter().for_each(&mut report);
                     }
                     Task::Fill(job) => perform(&job, &*backend, &mut report),
-                    Task::Solve(job) => perform_while(&job, &*backend, &|| is_latest(job.ticket), &mut report),
+                    Task::Solve(job) => {
+                        perform_while(&job, &*backend, &mut rotors, &|| is_latest(job.ticket), &mut report);
+                    }
                     Task::SolveEdited(job) => {
                         perform_edited(&job, &*backend, &mut rotors, &|| is_latest(job.ticket), &mut report);
                     }

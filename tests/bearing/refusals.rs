@@ -87,14 +87,24 @@ fn a_matching_moment_is_carried_by_tilts_that_are_free() {
 fn what_is_unusual_is_said() {
     let thrust = Vector::new(0.0, 0.0, 1000.0, 0.0, 0.0);
     let ball = ball(12, 40.0, 8.5e9, 0.027, 4.5e-4);
-    assert_eq!(equilibrium(&ball, &thrust, &[None; 5]).unwrap().warnings, []);
+    let even = equilibrium(&ball, &thrust, &[None; 5]).unwrap();
+    assert_eq!((even.warnings.as_slice(), even.note()), (&[][..], None));
     let radial = equilibrium(&ball, &Vector::new(1000.0, 0.0, 10.0, 0.0, 0.0), &TILTS_HELD).unwrap();
     let unloaded = 12 - radial.loaded();
+    // ordinary under a radial load: worth a note, and no warning
+    assert!((1..12).contains(&unloaded), "{unloaded}");
+    assert_eq!(radial.note(), Some(format!("{unloaded} of 12 rolling elements carry no load")));
     assert!(
-        radial.warnings.contains(&Warning::Unloaded { unloaded, elements: 12 }) && unloaded > 0,
+        !radial.warnings.iter().any(|warning| matches!(warning, Warning::FewLoaded { .. })),
         "{:?}",
         radial.warnings
     );
+    // with this much clearance the load rests on the elements right below it
+    let loose = Bearing::new(Data { clearance: 5e-5, ..ball.data() }).unwrap();
+    let held = [None, Some(0.0), Some(0.0), Some(0.0), Some(0.0)];
+    let few = equilibrium(&loose, &Vector::new(1.0, 0.0, 0.0, 0.0, 0.0), &held).unwrap();
+    assert_eq!(few.warnings, [Warning::FewLoaded { loaded: few.loaded(), elements: 12 }]);
+    assert!((1..3).contains(&few.loaded()), "{}", few.loaded());
     let backwards = equilibrium(&ball, &-thrust, &TILTS_HELD).unwrap();
     assert_eq!(backwards.warnings, [Warning::OppositeShoulder(12)]);
     let deep = equilibrium(&ball, &(thrust * 1e3), &TILTS_HELD).unwrap();

@@ -15,7 +15,7 @@ use bevelscope::design::{
     Analysis, BeamTheory, Bearing, BearingModel, Body, DampingModel, Design, DiagonalBearing, Drive, FrequencySpacing,
     Hold, Mesh, MeshVectors, RotorDesign, Segment,
 };
-use bevelscope::model::RotorsError;
+use bevelscope::model::{Rotors, RotorsError};
 use bevelscope::rotor::{Motion, RotorError};
 use bevelscope::tui::app::App;
 use bevelscope::tui::caps::{Background, Capabilities, ColourDepth};
@@ -222,6 +222,8 @@ pub struct Screen {
     /// Effects are collected and not carried out.
     pub held: bool,
     pub effects: Vec<Effect>,
+    /// Of the edit before
+    rotors: Option<Rotors>,
 }
 
 /// What the tests ask of the made-up terminal.
@@ -277,7 +279,8 @@ impl Screen {
     ) -> Self {
         let app = App::new(paths, "~/designs".into(), capabilities);
         let terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
-        let mut screen = Self { app, terminal, backend: Box::new(backend), held: false, effects: Vec::new() };
+        let mut screen =
+            Self { app, terminal, backend: Box::new(backend), held: false, effects: Vec::new(), rotors: None };
         screen.draw();
         screen
     }
@@ -367,7 +370,7 @@ impl Screen {
     /// Solves an edited design and takes in the result.
     pub fn perform_edited(&mut self, job: &EditedJob) {
         let mut messages = Vec::new();
-        solving::perform_edited(job, &*self.backend, &mut None, &|| true, &mut |message| messages.push(message));
+        solving::perform_edited(job, &*self.backend, &mut self.rotors, &|| true, &mut |message| messages.push(message));
         for message in messages {
             let effects = self.app.update(message);
             self.carry_out(effects);

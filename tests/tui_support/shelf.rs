@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-use bevelscope::comparison::{Comparison, Observer, SolveError, compare_over};
+use bevelscope::comparison::{Comparison, Observer, SolveError, compare_over, compare_rotors};
 use bevelscope::design::library::{Left, SHIPPED, VariantName};
 use bevelscope::design::{Design, Difference};
+use bevelscope::model::Rotors;
 use bevelscope::tui::files::{FileDone, FileRequest, Followed};
 use bevelscope::tui::recovery::{FileState, Kept, Look};
 use bevelscope::tui::{Backend, BrokenDesign, LoadedDesign, NotSaved};
@@ -61,6 +62,16 @@ impl Backend for Shelf {
 
     fn compare(&self, design: &Design, observer: &mut Observer<'_>) -> Result<Comparison, SolveError> {
         compare_over(design, None, observer)
+    }
+
+    fn compare_edited(
+        &self,
+        design: &Design,
+        rotors: &mut Option<Rotors>,
+        observer: &mut Observer<'_>,
+    ) -> Result<Comparison, SolveError> {
+        let rotors = rotors.insert(Rotors::reusing(design, rotors.as_ref())?);
+        compare_rotors(design, rotors, None, observer)
     }
 
     fn read(&self, path: &Path) -> Result<String, String> {

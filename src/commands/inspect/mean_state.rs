@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::wrapped;
 use crate::bearing::frames;
 use crate::number::significant;
 use crate::rotor::Rolling;
@@ -19,6 +20,12 @@ pub struct MeanStateOutput {
     /// From +z (up) towards +x
     element_positions_deg: Vec<f64>,
     element_loads_n: Vec<f64>,
+    /// Also of elements that are not in contact
+    element_contact_angles_deg: Vec<f64>,
+    /// What is worth knowing
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+    /// What is unusual
     warnings: Vec<String>,
 }
 
@@ -59,6 +66,8 @@ impl MeanStateOutput {
             contact_angle_deg: state.angle_range().map(|range| range.map(f64::to_degrees)),
             element_positions_deg: contacts.iter().map(|contact| contact.position.to_degrees()).collect(),
             element_loads_n: contacts.iter().map(|contact| contact.load).collect(),
+            element_contact_angles_deg: contacts.iter().map(|contact| contact.angle.to_degrees()).collect(),
+            note: state.note(),
             warnings: state.warnings.iter().map(ToString::to_string).collect(),
         }
     }
@@ -88,6 +97,14 @@ impl MeanStateOutput {
             self.elements,
             significant(most, 5)
         )?;
-        self.warnings.iter().try_for_each(|warning| writeln!(out, "  note: {warning}"))
+        writeln!(out, "  load of each element (N), from the one at +z towards +x")?;
+        let loads: Vec<String> = self.element_loads_n.iter().map(|load| significant(*load, 4)).collect();
+        for line in wrapped(&loads, 74) {
+            writeln!(out, "    {line}")?;
+        }
+        if let Some(note) = &self.note {
+            writeln!(out, "  note: {note}")?;
+        }
+        self.warnings.iter().try_for_each(|warning| writeln!(out, "  warning: {warning}"))
     }
 }

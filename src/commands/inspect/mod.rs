@@ -125,7 +125,7 @@ impl<'a> RotorOutput<'a> {
             centroid_mm: rotor.totals.centroid * 1e3,
             shaft_bearing_stiffness: rows(&rotor.statics.shaft_bearing_stiffness),
             bending: Planes { x: (&rotor.bending_x).into(), z: (&rotor.bending_z).into() },
-            bearings: rotor.supports.bearings.iter().zip(&rotor.mean_states.bearings).map(bearing).collect(),
+            bearings: rotor.supports.bearings.iter().zip(rotor.mean_states.bearings.iter()).map(bearing).collect(),
         }
     }
 }

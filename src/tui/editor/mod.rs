@@ -39,6 +39,8 @@ pub struct Editors {
     open: Option<PathBuf>,
     /// The one whose text is being read
     pub(super) opening: Option<PathBuf>,
+    /// Its bearings are shown once it is there
+    pub(super) then_bearings: bool,
     /// Whether each edit is solved
     pub live: bool,
     /// The program ends once everything is saved.
@@ -49,7 +51,15 @@ pub struct Editors {
 
 impl Default for Editors {
     fn default() -> Self {
-        Self { all: Vec::new(), open: None, opening: None, live: true, is_leaving: false, kept_notice: None }
+        Self {
+            all: Vec::new(),
+            open: None,
+            opening: None,
+            then_bearings: false,
+            live: true,
+            is_leaving: false,
+            kept_notice: None,
+        }
     }
 }
 

@@ -18,14 +18,17 @@ impl Editing {
             return Some(Outcome::Failed { title: UNSOLVABLE, text: text.to_owned() });
         }
         let loaded = Arc::new(LoadedDesign::from(Design::clone(saved)));
-        let solved = |summary, traces| Outcome::Solved { loaded, summary, picture: Box::new(Picture::new(traces)) };
-        if let Some(Solution { summary, picture, .. }) =
+        let solved = |summary, traces, bearings| {
+            let picture = Box::new(Picture::new(traces));
+            Outcome::Solved { loaded, summary, picture, bearings }
+        };
+        if let Some(Solution { summary, picture, bearings, .. }) =
             self.solving.current.as_ref().filter(|solution| same_mechanics(&solution.design, saved))
         {
-            return Some(solved(Box::new(summary.clone()), Arc::clone(&picture.traces)));
+            return Some(solved(Box::new(summary.clone()), Arc::clone(&picture.traces), bearings.clone()));
         }
         let ghost = self.solving.ghost.as_ref().filter(|ghost| same_mechanics(&ghost.design, saved))?;
-        Some(solved(Box::new(ghost.summary.clone()), ghost.traces()))
+        Some(solved(Box::new(ghost.summary.clone()), ghost.traces(), ghost.bearings.clone()))
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::Editing;
 use super::typing::{Input, Target};
+use super::view::Tab;
 use crate::design::grid::Shape;
-use crate::design::{Edit, KeyPath, Towards};
+use crate::design::{Edit, KeyPath, Spelled, Towards};
 
 impl Editing {
     /// Adds a row beside the cursor.
@@ -20,6 +21,7 @@ impl Editing {
                 }
             }
             Shape::Named => self.input = Some(Input::new(Target::NewMaterial, "", true)),
+            Shape::Single if self.lacks_drive() => self.add_drive(),
             Shape::Single => self.say("this table has no rows to add"),
         }
     }
@@ -45,7 +47,43 @@ impl Editing {
         self.edit_row(|row| Edit::DuplicateRow { row });
     }
 
+    /// The table of the drive is in sight, and the shaft has none.
+    pub fn lacks_drive(&self) -> bool {
+        self.tab == Tab::Drives && !self.has_drive()
+    }
+
+    /// The table of the drive is in sight, and the shaft has one.
+    pub fn has_drive(&self) -> bool {
+        let cells = self.view.row(0).map_or(&[][..], |row| &row.cells);
+        self.tab == Tab::Drives && cells.iter().any(|cell| cell.shown.is_written())
+    }
+
+    /// A drive at the end of the shaft; what else it needs is left open, and findings say so.
+    fn add_drive(&mut self) {
+        let length = self.last_design.as_ref().map_or(0.0, |design| design.rotor(self.side).length());
+        let path = KeyPath::root().key(self.side.name()).key("drive").key("position_mm");
+        let Some(value) = Spelled::parse(&format!("{:?}", (length * 1e9).round() / 1e6)) else { return };
+        if let Some(applied) = self.make(&Edit::Set { path, value }) {
+            self.go_to(&applied.focus);
+            self.say(format!("done: {}; stiffness and inertia are still wanted", applied.name));
+        }
+    }
+
+    fn remove_drive(&mut self) {
+        let path = KeyPath::root().key(self.side.name()).key("drive");
+        if let Some(applied) = self.make(&Edit::Remove { path }) {
+            self.hold_cursor();
+            self.say(format!("done: {}; the shaft's end turns freely", applied.name));
+        }
+    }
+
     pub fn delete_row(&mut self) {
+        if self.has_drive() {
+            return self.remove_drive();
+        }
+        if self.tab == Tab::Drives {
+            return self.say("this shaft has no drive");
+        }
         if self.view.shape != Shape::Named {
             return self.edit_row(|row| Edit::DeleteRow { row });
         }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::design::Design;
 use crate::tui::app::Picture;
 use crate::tui::axis::FrequencyAxis;
+use crate::tui::bearings::BearingStates;
 use crate::tui::solving::{Summary, Ticket};
 use crate::tui::traces::{Envelope, Traces};
 
@@ -14,6 +15,7 @@ pub struct Solution {
     pub design: Arc<Design>,
     pub summary: Summary,
     pub picture: Picture,
+    pub bearings: Option<Arc<BearingStates>>,
 }
 
 /// The saved state, to be drawn behind the state as it is now.
@@ -21,6 +23,7 @@ pub struct Solution {
 pub struct Ghost {
     pub design: Arc<Design>,
     pub summary: Summary,
+    pub bearings: Option<Arc<BearingStates>>,
     traces: Arc<Traces>,
     /// At the axis and the width that were drawn last
     columns: Option<(FrequencyAxis, usize, Envelope)>,
@@ -52,6 +55,7 @@ impl Ghost {
         Self {
             design: Arc::clone(&solution.design),
             summary: solution.summary.clone(),
+            bearings: solution.bearings.clone(),
             traces: Arc::clone(&solution.picture.traces),
             columns: None,
         }
@@ -83,6 +87,11 @@ impl Solving {
     }
 }
 
+/// Torque of the pinion, N m.
+fn torque(design: &Design) -> Option<f64> {
+    design.operating.and_then(|operating| operating.pinion_torque)
+}
+
 /// Whether two designs have the same solution. What is only said about them does not count.
 pub fn same_mechanics(a: &Design, b: &Design) -> bool {
     a.analysis == b.analysis
@@ -90,4 +99,5 @@ pub fn same_mechanics(a: &Design, b: &Design) -> bool {
         && a.materials == b.materials
         && a.pinion == b.pinion
         && a.gear == b.gear
+        && (!a.follows_torque() || torque(a) == torque(b))
 }

@@ -22,6 +22,7 @@ impl App {
         }
         self.notice = None;
         self.editors.opening = Some(path.clone());
+        self.editors.then_bearings = false;
         vec![Effect::File(FileJob::Open { path })]
     }
 
@@ -45,6 +46,7 @@ impl App {
                 self.show_editor(path)
             }
             Err(error) => {
+                self.editors.then_bearings = false;
                 let reason = error.lines().next().unwrap_or_default().to_owned();
                 self.complain(format!("no tables: {reason}"));
                 Vec::new()
@@ -57,10 +59,10 @@ impl App {
         if self.detail.path.as_deref() != Some(path) {
             return None;
         }
-        let Some(Outcome::Solved { loaded, summary, picture }) = &self.detail.outcome else { return None };
+        let Some(Outcome::Solved { loaded, summary, picture, bearings }) = &self.detail.outcome else { return None };
         let design = Arc::new(loaded.design.clone());
         let picture = Picture::new(Arc::clone(&picture.traces));
-        Some(Solution { design, summary: (**summary).clone(), picture })
+        Some(Solution { design, summary: (**summary).clone(), picture, bearings: bearings.clone() })
     }
 
     pub(in crate::tui) fn show_editor(&mut self, path: PathBuf) -> Vec<Effect> {
@@ -68,6 +70,9 @@ impl App {
         self.editors.opening = None;
         self.editors.open = Some(path);
         self.follow_editor();
+        if std::mem::take(&mut self.editors.then_bearings) {
+            self.show_bearings(true);
+        }
         self.solve_if_live()
     }
 
@@ -156,9 +161,9 @@ impl App {
             return;
         };
         match result {
-            Ok(Solved { summary, traces: Some(traces) }) => {
+            Ok(Solved { summary, traces: Some(traces), bearings }) => {
                 let picture = Picture::new(Arc::new(*traces));
-                editing.solving.current = Some(Solution { design, summary, picture });
+                editing.solving.current = Some(Solution { design, summary, picture, bearings });
                 editing.keep_ghost();
             }
             Ok(_) => {}
@@ -172,27 +177,15 @@ impl App {
             return None;
         }
         let mode = self.mode;
-        let solve = self.keys.names(mode, self.theme.glyphs.ascii).of(Action::Solve);
         let editing = self.editors.open_mut()?;
         editing.notice = None;
+        if let Some(effects) = self.act_on_solution(action) {
+            return Some(effects);
+        }
+        let editing = self.editors.open_mut()?;
         match action {
             Action::Back => return Some(self.back_in_editor()),
-            Action::Save => return Some(self.save(None)),
             Action::SaveForm => return Some(self.save_form()),
-            Action::Solve => {
-                let effects = self.solve_edited(true);
-                self.follow_editor();
-                return Some(effects);
-            }
-            Action::ToggleLive => return Some(self.toggle_live()),
-            Action::CancelSolve => {
-                if editing.solving.pending.is_none() {
-                    editing.say("nothing is being solved");
-                    return Some(Vec::new());
-                }
-                editing.say(format!("stopped solving: {solve} starts again"));
-                return Some(self.drop_outdated());
-            }
             Action::Help
             | Action::Modes
             | Action::Overview
@@ -220,6 +213,30 @@ impl App {
             },
         }
         Some(self.after_edit())
+    }
+
+    /// What can be done with the open design from wherever its solution is in sight; nothing where the action is another.
+    pub(in crate::tui) fn act_on_solution(&mut self, action: Action) -> Option<Vec<Effect>> {
+        let solve = self.keys.names(self.mode, self.theme.glyphs.ascii).of(Action::Solve);
+        let editing = self.editors.open_mut()?;
+        Some(match action {
+            Action::Save => self.save(None),
+            Action::Solve => {
+                let effects = self.solve_edited(true);
+                self.follow_editor();
+                effects
+            }
+            Action::ToggleLive => self.toggle_live(),
+            Action::CancelSolve if editing.solving.pending.is_none() => {
+                editing.say("nothing is being solved");
+                Vec::new()
+            }
+            Action::CancelSolve => {
+                editing.say(format!("stopped solving: {solve} starts again"));
+                self.drop_outdated()
+            }
+            _ => return None,
+        })
     }
 
     /// The text may have changed.

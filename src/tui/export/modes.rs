@@ -38,7 +38,8 @@ impl ModesView {
         if let Some(hz) = self.deflection_hz {
             let found = self.deflection.as_ref().and_then(|found| found.as_ref().ok());
             let hz = significant(hz, 6);
-            let force = found.map(|found| format!("FE dynamic mesh force {} N.", significant(found.fe.force.norm(), 4)));
+            let force =
+                found.map(|found| format!("FE dynamic mesh force {} N.", significant(found.fe.force.norm(), 4)));
             let title = format!("Operating deflection shape at {hz} Hz");
             return (format!("deflection-{hz}-hz"), title, force.into_iter().chain([phase]).collect());
         }

@@ -8,9 +8,9 @@ use ratatui::crossterm::event::KeyCode;
 pub use self::mode::Mode;
 pub use self::places::SCREENS;
 use self::places::{
-    ALL, ANSWERED, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM, HELP,
-    LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SPECTRA, TABLE, TYPING,
-    VARIANTS, VIEWS, WRITTEN,
+    ALL, ANSWERED, BEARINGS, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM,
+    HELP, LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SPECTRA, TABLE,
+    TYPING, VARIANTS, VIEWS, WRITTEN,
 };
 use super::action::Action;
 
@@ -218,6 +218,26 @@ pub const BINDINGS: &[Binding] = &[
     key(&[Mode::Why], KeyCode::Enter, Action::Back),
     letter(WRITTEN, 'e', Action::ExportShown),
     letter(WRITTEN, 'E', Action::ExportShown),
+    letter(OPENED, 'B', Action::BearingLoads),
+    letter(BEARINGS, 'B', Action::Back),
+    letter(BEARINGS, '+', Action::MoreTorque),
+    letter(BEARINGS, '-', Action::LessTorque),
+    letter(BEARINGS, '>', Action::MuchMoreTorque),
+    letter(BEARINGS, '<', Action::MuchLessTorque),
+    letter(BEARINGS, 't', Action::TypeTorque),
+    key(BEARINGS, KeyCode::Tab, Action::NextView),
+    key(BEARINGS, KeyCode::Left, Action::PreviousElement),
+    letter(BEARINGS, 'h', Action::PreviousElement),
+    key(BEARINGS, KeyCode::Right, Action::NextElement),
+    letter(BEARINGS, 'l', Action::NextElement),
+    key(BEARINGS, KeyCode::Enter, Action::OpenEditor),
+    letter(BEARINGS, 'u', Action::Undo),
+    control(BEARINGS, 'r', Action::Redo),
+    letter(BEARINGS, 's', Action::Save),
+    letter(BEARINGS, '=', Action::Solve),
+    letter(BEARINGS, 'L', Action::ToggleLive),
+    letter(BEARINGS, 'X', Action::CancelSolve),
+    letter(BEARINGS, '!', Action::Messages),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

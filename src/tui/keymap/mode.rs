@@ -60,6 +60,10 @@ modes! {
     Frequency, "frequency", "While a frequency is typed";
     /// All designs with their figures.
     Overview, "overview", "In the overview of designs";
+    /// The bearings of a design under load.
+    Bearings, "bearings", "In the bearings under load";
+    /// The torque is being typed.
+    Torque, "torque", "While a torque is typed";
     /// The tables of a design.
     Table, "table", "In the tables";
     /// A cell is being typed into.

@@ -11,6 +11,7 @@ pub const LISTS: &[Mode] = &[
     Mode::Spectra,
     Mode::Why,
     Mode::Modes,
+    Mode::Bearings,
     Mode::Overview,
     Mode::Choice,
     Mode::Findings,
@@ -27,6 +28,7 @@ pub const ROWS: &[Mode] = &[
     Mode::Spectra,
     Mode::Why,
     Mode::Modes,
+    Mode::Bearings,
     Mode::Overview,
     Mode::Choice,
     Mode::Findings,
@@ -48,6 +50,7 @@ pub const MOVING: &[Mode] = &[
     Mode::Spectra,
     Mode::Why,
     Mode::Modes,
+    Mode::Bearings,
     Mode::Overview,
     Mode::Choice,
     Mode::Findings,
@@ -67,21 +70,31 @@ pub const CELL: &[Mode] = &[Mode::Cell];
 pub const FORM: &[Mode] = &[Mode::Form];
 pub const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
-pub const TYPING: &[Mode] =
-    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Cell, Mode::Form];
+pub const TYPING: &[Mode] = &[
+    Mode::Filter,
+    Mode::HelpSearch,
+    Mode::Palette,
+    Mode::Name,
+    Mode::Export,
+    Mode::Frequency,
+    Mode::Torque,
+    Mode::Cell,
+    Mode::Form,
+];
 /// Where a filter is typed, and what it filters.
 pub const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 pub const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
 pub const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
 /// What lies over the explorer and is closed.
 pub const VIEWS: &[Mode] =
-    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview];
+    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Bearings, Mode::Overview];
 /// Those that are whole screens.
-pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Bearings, Mode::Overview];
 /// Those that can be written to a file with a key.
 pub const WRITTEN: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
-pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
+pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Torque, Mode::Confirm];
 pub const MODES: &[Mode] = &[Mode::Modes];
+pub const BEARINGS: &[Mode] = &[Mode::Bearings];
 pub const OVERVIEW: &[Mode] = &[Mode::Overview];
 pub const CONFIRM: &[Mode] = &[Mode::Confirm];
 pub const COMMANDS: &[Mode] = &[
@@ -91,6 +104,7 @@ pub const COMMANDS: &[Mode] = &[
     Mode::Compare,
     Mode::Spectra,
     Mode::Modes,
+    Mode::Bearings,
     Mode::Overview,
     Mode::Table,
     Mode::Matrix,
@@ -99,8 +113,17 @@ pub const COMMANDS: &[Mode] = &[
 pub const HELP: &[Mode] = &[Mode::Help];
 pub const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
-pub const PICTURES: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Table, Mode::Matrix, Mode::Choice];
+pub const PICTURES: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Modes,
+    Mode::Bearings,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Choice,
+];
 pub const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 pub const RECOVERY: &[Mode] = &[Mode::Recovery];
 pub const CONFLICT: &[Mode] = &[Mode::Conflict];

@@ -1,5 +1,6 @@
 //! The screens: each fills the terminal, with a header, a body, figures and the keys.
 
+pub mod bearings;
 pub mod compare;
 pub mod editor;
 pub mod explorer;

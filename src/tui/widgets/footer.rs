@@ -15,6 +15,7 @@ use crate::tui::action::ACTIONS;
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
 use crate::tui::notice::NoticeKind;
+use crate::tui::text_field::TextField;
 
 /// Draws the line and returns where the cursor stands, if something is typed.
 pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
@@ -37,10 +38,9 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
             let text = cut(&printable(&notice.text), room, ellipsis);
             x = (buffer.set_stringn(x, area.y, text, room, theme.title).0 + 1).min(area.right());
         }
-    } else if let (Mode::Frequency, Some(view), None) = (app.mode, &app.modes, app.shown_notice()) {
+    } else if let (Some((prompt, field)), None) = (line(app), app.shown_notice()) {
         let place = Rect { width: area.width.div_ceil(2), ..area };
-        let prompt = (" deflection at, Hz: ", theme.title);
-        if let Some((position, end)) = prompted(prompt, (&view.field, theme.title), theme, place, buffer) {
+        if let Some((position, end)) = prompted((prompt, theme.title), (field, theme.title), theme, place, buffer) {
             cursor = Some(position);
             x = (end + 2).min(area.right());
         }
@@ -61,6 +61,15 @@ pub fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Position> {
         x = buffer.set_stringn(x, area.y, format!(" {text} "), usize::from(area.right() - x), theme.faint).0;
     }
     cursor
+}
+
+/// What is typed in this line, and what it is.
+fn line(app: &App) -> Option<(&'static str, &TextField)> {
+    match app.mode {
+        Mode::Frequency => app.modes.as_ref().map(|view| (" deflection at, Hz: ", &view.field)),
+        Mode::Torque => app.bearings.as_ref().map(|view| (" torque, N m: ", &view.field)),
+        _ => None,
+    }
 }
 
 /// The hints that fit: chosen by priority, shown in that order.

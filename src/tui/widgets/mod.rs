@@ -1,5 +1,7 @@
 //! The parts of the screen: each draws the state it is given into its area.
 
+pub mod bearing_state;
+pub mod bearing_table;
 pub mod canvas;
 pub mod cell_input;
 pub mod choice;
@@ -7,6 +9,7 @@ pub mod deflection_figures;
 pub mod design_table;
 pub mod difference_strip;
 pub mod editor_header;
+pub mod element_loads;
 pub mod energy_bars;
 pub mod figures;
 pub mod findings;

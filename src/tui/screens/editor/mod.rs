@@ -15,7 +15,7 @@
 //! ```
 
 mod message;
-mod spectra;
+pub(super) mod spectra;
 
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
@@ -25,6 +25,7 @@ use crate::design::{Side, Totals};
 use crate::text::printable;
 use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::bearings;
 use crate::tui::editor::{Editing, Layer, Tab, Target};
 use crate::tui::keymap::Mode;
 use crate::tui::keys::KeyNames;
@@ -82,8 +83,11 @@ fn render_body(
     let drawn = table::render(editing, keys, theme, inner, buffer);
     let said = [totals(editing, theme), drawn.position];
     let said: Vec<String> = said.into_iter().flatten().collect();
+    let under_load = bearings::in_words(editing).map(|words| format!("{words} ({})", keys.of(Action::BearingLoads)));
     if !said.is_empty() {
-        let left = vec![said.join(", "), said.last().cloned().unwrap_or_default()];
+        let with_load = under_load.map(|words| format!("{}, {words}", said.join(", ")));
+        let short = [said.join(", "), said.last().cloned().unwrap_or_default()];
+        let left = with_load.into_iter().chain(short).collect();
         panel::bottom(frame, buffer, &Title { left, right: Vec::new() }, focused, theme);
     }
     let lower = Rect { y: frame.bottom(), height: area.height - upper, ..area };
