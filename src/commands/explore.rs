@@ -11,6 +11,7 @@ use super::keys::KeysArg;
 use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
+use crate::gear::AveragedMesh;
 use crate::model::Rotors;
 use crate::text::printable;
 use crate::tui::facts;
@@ -217,6 +218,10 @@ impl Backend for Files {
         let parent = original.file_stem().map(|stem| stem.to_string_lossy());
         let about = library::About { design_name: None, parent: parent.as_deref(), note };
         library::save_variant(folder, name, text, about).map_err(|error| error.to_string())
+    }
+
+    fn mesh_table(&self, path: &Path) -> Result<Vec<AveragedMesh>, String> {
+        super::import_mesh::flanks(path)
     }
 
     fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {

@@ -204,6 +204,12 @@ actions! {
     ListPeaks, "list-peaks", Spectra, "list the bands, the peaks and their pairs, or nothing", hint 7 "list";
     Why, "why", Spectra, "why the models disagree in the band at the cursor", hint 0 "why";
     ExportShown, "export-shown", Spectra, "write what is shown to a CSV file", hint 6 "write";
+    GearPair, "gear-pair", Designs, "the gear pair: forces on both shafts in numbers and to scale, stiffness estimate, import", hint 8 "gear pair";
+    FlipFlank, "flip-flank", Edit, "the pinion turns the other way: the other flank carries the load", hint 1 "flip flank";
+    EstimateStiffness, "estimate-stiffness", Edit, "an estimate of the mesh stiffness from a face width that is typed", hint 1 "stiffness";
+    ImportMesh, "import-mesh", Edit, "mesh point, line of action, stiffness and transmission error from a CSV file", hint 1 "import";
+    OtherValue, "other-value", Typing, "the other value: face width or angle", hint 1 "width/angle";
+    OtherFlank, "other-flank", Edit, "the other flank of the table: drive or coast", hint 1 "drive/coast";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

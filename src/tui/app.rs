@@ -19,6 +19,7 @@ use super::message::Effect;
 use super::modes::ModesView;
 use super::notice::{Messages, Notice};
 use super::overview::Overview;
+use super::pair::PairView;
 use super::palette::Palette;
 use super::recovery::Recovery;
 use super::solving::{Job, Summary, Ticket};
@@ -54,6 +55,7 @@ pub struct App {
     pub spectra: Option<SpectraView>,
     pub modes: Option<Box<ModesView>>,
     pub overview: Overview,
+    pub pair: Option<Box<PairView>>,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -180,6 +182,7 @@ impl App {
             spectra: None,
             modes: None,
             overview: Overview::default(),
+            pair: None,
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

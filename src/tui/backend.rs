@@ -9,7 +9,9 @@ use super::spectra::{ModelCurves, Subject};
 use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
+use crate::gear::AveragedMesh;
 use crate::model::{ModelKind, Rotors};
+use crate::pair::read_flanks;
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
 pub trait Backend: Send + Sync {
@@ -65,6 +67,16 @@ pub trait Backend: Send + Sync {
     fn export(&self, path: &Path, text: &str) -> Result<PathBuf, String> {
         let _ = (path, text);
         Err(READ_ONLY.into())
+    }
+
+    /// The flanks of a table of averaged mesh numbers.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none: in words, with the line that is wrong and what is allowed there.
+    fn mesh_table(&self, path: &Path) -> Result<Vec<AveragedMesh>, String> {
+        let text = self.read(path)?;
+        read_flanks(&text)
     }
 
     /// The modes of the three models of a design; given up as soon as `wanted` says no.

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use super::app::App;
 use super::keymap::Mode;
 use super::overlays;
-use super::screens::{body, compare, editor, explorer, fits, modes, overview, render_too_small, spectra};
+use super::screens::{body, compare, editor, explorer, fits, modes, overview, pair, render_too_small, spectra};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
@@ -27,6 +27,8 @@ fn render(app: &mut App, frame: &mut Frame) {
         spectra::render(app, frame)
     } else if app.layers().any(|mode| mode == Mode::Modes) {
         modes::render(app, frame)
+    } else if app.layers().any(|mode| mode == Mode::Pair) {
+        pair::render(app, frame)
     } else if app.layers().any(|mode| mode == Mode::Overview) {
         overview::render(app, frame)
     } else if app.editors.open().is_some() {

@@ -83,7 +83,7 @@ impl App {
     }
 
     /// Back to the explorer; the edits stay.
-    fn close_editor(&mut self) -> Vec<Effect> {
+    pub(in crate::tui) fn close_editor(&mut self) -> Vec<Effect> {
         if let Some(editing) = self.editors.open_mut() {
             editing.solving.pending = None;
             editing.notice = None;
@@ -195,6 +195,7 @@ impl App {
             }
             Action::Help
             | Action::Modes
+            | Action::GearPair
             | Action::Palette
             | Action::Messages
             | Action::Quit

@@ -12,6 +12,8 @@ pub const LISTS: &[Mode] = &[
     Mode::Why,
     Mode::Modes,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Choice,
     Mode::Findings,
     Mode::Recovery,
@@ -28,6 +30,8 @@ pub const ROWS: &[Mode] = &[
     Mode::Why,
     Mode::Modes,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -49,6 +53,8 @@ pub const MOVING: &[Mode] = &[
     Mode::Why,
     Mode::Modes,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -58,6 +64,9 @@ pub const MOVING: &[Mode] = &[
 ];
 pub const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 pub const LIBRARY: &[Mode] = &[Mode::Library];
+pub const PAIR: &[Mode] = &[Mode::Pair];
+pub const PAIR_FORMS: &[Mode] = &[Mode::FaceWidth, Mode::MeshFile, Mode::MeshImport];
+pub const FLANKS: &[Mode] = &[Mode::MeshFile, Mode::MeshImport];
 pub const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
 /// Where there are columns to move in.
 pub const COLUMNS: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Spectra];
@@ -67,17 +76,27 @@ pub const CELL: &[Mode] = &[Mode::Cell];
 pub const FORM: &[Mode] = &[Mode::Form];
 pub const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
-pub const TYPING: &[Mode] =
-    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Cell, Mode::Form];
+pub const TYPING: &[Mode] = &[
+    Mode::Filter,
+    Mode::HelpSearch,
+    Mode::Palette,
+    Mode::Name,
+    Mode::Export,
+    Mode::Frequency,
+    Mode::FaceWidth,
+    Mode::MeshFile,
+    Mode::Cell,
+    Mode::Form,
+];
 /// Where a filter is typed, and what it filters.
 pub const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 pub const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
 pub const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
 /// What lies over the explorer and is closed.
 pub const VIEWS: &[Mode] =
-    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview];
+    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Overview, Mode::Pair];
 /// Those that are whole screens.
-pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview, Mode::Pair];
 pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
 pub const MODES: &[Mode] = &[Mode::Modes];
 pub const OVERVIEW: &[Mode] = &[Mode::Overview];
@@ -90,6 +109,7 @@ pub const COMMANDS: &[Mode] = &[
     Mode::Spectra,
     Mode::Modes,
     Mode::Overview,
+    Mode::Pair,
     Mode::Table,
     Mode::Matrix,
     Mode::Findings,
@@ -97,8 +117,17 @@ pub const COMMANDS: &[Mode] = &[
 pub const HELP: &[Mode] = &[Mode::Help];
 pub const ALL: &[Mode] = &Mode::ALL;
 /// Where there is a picture.
-pub const PICTURES: &[Mode] =
-    &[Mode::Library, Mode::Text, Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Table, Mode::Matrix, Mode::Choice];
+pub const PICTURES: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Modes,
+    Mode::Pair,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Choice,
+];
 pub const OPENED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table];
 pub const RECOVERY: &[Mode] = &[Mode::Recovery];
 pub const CONFLICT: &[Mode] = &[Mode::Conflict];

@@ -17,6 +17,8 @@ pub mod mac_picture;
 pub mod matrix;
 pub mod mode_shape;
 pub mod mode_table;
+pub mod pair_numbers;
+pub mod pair_picture;
 pub mod panel;
 pub mod plot;
 pub mod side_view;
