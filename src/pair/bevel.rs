@@ -34,9 +34,12 @@ pub(super) fn pair(pair: &Pair, figures: &PairFigures) -> Scene {
     let offset = if pair.offset * 1e3 < 5e-3 {
         "section through both axes".to_owned()
     } else {
-        format!("along the offset of {} mm", significant(pair.offset * 1e3, 4))
+        format!("along the offset, {} mm", significant(pair.offset * 1e3, 4))
     };
-    Scene { title: format!("{kind}: pitch cones, {offset}"), shapes }
+    Scene {
+        titles: vec![format!("{kind}: pitch cones, {offset}"), format!("{kind}: pitch cones"), kind.into()],
+        shapes,
+    }
 }
 
 fn radial(member: &Member) -> Vector3<f64> {
@@ -75,7 +78,12 @@ fn forces(view: View, member: &Member, shaft: &ShaftFigures, side: Side, size: f
     let tangential = member.across * force.tangential;
     vec![
         Shape::Force { from: view.of(from), to: view.of(to), side, letter: 'a' },
-        Shape::Force { from: view.of(at), to: view.of(at - radial(member) * (force.radial * scale)), side, letter: 'r' },
+        Shape::Force {
+            from: view.of(at),
+            to: view.of(at - radial(member) * (force.radial * scale)),
+            side,
+            letter: 'r',
+        },
         Shape::ForceAcross {
             at: inside,
             towards_viewer: tangential.dot(&view.towards_viewer()) > 0.0,

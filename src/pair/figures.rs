@@ -46,6 +46,12 @@ pub struct Arms {
 }
 
 impl Arms {
+    /// The deviation with its sign, e.g. `+0.12 %`.
+    pub fn deviation(&self) -> String {
+        let rounded = (self.deviation_percent * 100.0).round() / 100.0;
+        if rounded == 0.0 { "0.00 %".into() } else { format!("{rounded:+.2} %") }
+    }
+
     /// Teeth of the gear over those of the pinion.
     pub fn tooth_ratio(&self) -> f64 {
         f64::from(self.teeth[1]) / f64::from(self.teeth[0])

@@ -3,11 +3,10 @@
 
 use nalgebra::Vector3;
 
-use super::scene::{Point, Role, Scene, Shape, View, force_scale};
+use super::scene::{Role, Scene, Shape, View, force_scale};
 use super::{PairFigures, ShaftFigures};
 use crate::design::Side;
 use crate::gear::Pair;
-use crate::number::significant;
 
 /// Of the smaller pitch radius: the longest force, and the line of action on both sides of the mesh point.
 const LONGEST: f64 = 0.8;
@@ -28,16 +27,14 @@ pub(super) fn pair(pair: &Pair, figures: &PairFigures) -> Scene {
             centre: member.origin,
             radius: member.point.z,
         };
-        shapes.extend(frame.shapes(side, figures.shaft(side), LONGEST * radius, force_scale(figures, LONGEST * radius)));
+        shapes.extend(frame.shapes(side, figures.shaft(side), force_scale(figures, LONGEST * radius)));
         if side == Side::Pinion {
             shapes.extend(frame.action(member.line_of_action.x, member.line_of_action.z, ACTION * radius));
         }
     }
     let kind = figures.kind.map_or("", |kind| kind.word());
-    Scene {
-        title: format!("{kind}: pitch cylinders from their +y end, {} mm apart", significant(pair.offset * 1e3, 5)),
-        shapes,
-    }
+    let title = format!("{kind}: pitch cylinders from their +y end");
+    Scene { titles: vec![title, format!("{kind}: from the +y end"), kind.into()], shapes }
 }
 
 /// One shaft in its own frame: z upwards, x to the left.
@@ -55,10 +52,11 @@ pub(super) fn shaft(side: Side, figures: &PairFigures) -> Scene {
         centre: Vector3::zeros(),
         radius,
     };
-    let mut shapes = frame.shapes(side, shaft, LONGEST * radius, force_scale(figures, LONGEST * radius));
+    let mut shapes = frame.shapes(side, shaft, force_scale(figures, LONGEST * radius));
     let line = Vector3::new(nx, 0.0, nz);
     shapes.extend(frame.action(line.dot(&frame.across), line.dot(&outwards), ACTION * radius));
-    Scene { title: format!("{} from its +y end, z up, x left", side.name()), shapes }
+    let short = format!("{}: z up, x left", side.name());
+    Scene { titles: vec![format!("{} from its +y end: z up, x left", side.name()), short], shapes }
 }
 
 /// A shaft as it is seen from its end: which way is what in space.
@@ -79,12 +77,12 @@ impl Frame {
         self.centre - self.inwards * self.radius
     }
 
-    fn shapes(&self, side: Side, shaft: &ShaftFigures, reach: f64, scale: f64) -> Vec<Shape> {
+    fn shapes(&self, side: Side, shaft: &ShaftFigures, scale: f64) -> Vec<Shape> {
         let (centre, at) = (self.view.of(self.centre), self.view.of(self.mesh_point()));
         let mut shapes = vec![
             Shape::Circle { centre, radius: self.radius, role: Role::Pitch(side) },
             Shape::Line { from: centre, to: at, role: Role::Axis(side) },
-            Shape::Label { at: centre - Point::new(0.0, 0.3 * reach), text: side.name() },
+            Shape::Label { at: centre, text: side.name() },
         ];
         if let Some(force) = shaft.force {
             let arrow = |along: Vector3<f64>, letter: char| Shape::Force {

@@ -57,7 +57,8 @@ pub enum Shape {
 /// One picture, and what it shows, in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    pub title: String,
+    /// The longest first
+    pub titles: Vec<String>,
     pub shapes: Vec<Shape>,
 }
 
@@ -67,13 +68,15 @@ impl Scene {
         let mut bounds = [Point::repeat(f64::INFINITY), Point::repeat(f64::NEG_INFINITY)];
         let mut add = |point: Point| bounds = [bounds[0].inf(&point), bounds[1].sup(&point)];
         for shape in &self.shapes {
-            match *shape {
-                Shape::Line { from, to, .. } | Shape::Force { from, to, .. } => [from, to].into_iter().for_each(&mut add),
-                Shape::Circle { centre, radius, .. } => {
-                    [-radius, radius].into_iter().for_each(|radius| add(centre + Point::repeat(radius)));
+            let [one, other] = match *shape {
+                Shape::Line { from, to, .. } | Shape::Force { from, to, .. } => [from, to],
+                Shape::Circle { centre, radius, .. } => [-radius, radius].map(|radius| centre + Point::repeat(radius)),
+                Shape::ForceAcross { at, .. } | Shape::MeshPoint(at) | Shape::Apex(at) | Shape::Label { at, .. } => {
+                    [at, at]
                 }
-                Shape::ForceAcross { at, .. } | Shape::MeshPoint(at) | Shape::Apex(at) | Shape::Label { at, .. } => add(at),
-            }
+            };
+            add(one);
+            add(other);
         }
         bounds
     }
@@ -114,6 +117,7 @@ impl View {
 /// Metres a newton, so that the largest of all components is that long.
 pub(super) fn force_scale(figures: &PairFigures, longest: f64) -> f64 {
     let forces = [figures.pinion.force, figures.gear.force].into_iter().flatten();
-    let largest = forces.flat_map(|force| [force.axial, force.radial, force.tangential]).fold(0.0, |a: f64, b| a.max(b.abs()));
+    let largest =
+        forces.flat_map(|force| [force.axial, force.radial, force.tangential]).fold(0.0, |a: f64, b| a.max(b.abs()));
     if largest > 0.0 { longest / largest } else { 0.0 }
 }

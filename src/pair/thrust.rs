@@ -11,28 +11,23 @@ impl PairFigures {
     pub fn thrust(&self) -> String {
         // the force on the pinion is against the line of action
         let [pinion, gear] = [-self.pinion.vectors.line_of_action[1], self.gear.vectors.line_of_action[1]];
-        let away = |thrust: f64| match thrust {
-            _ if thrust.abs() < NOTHING => "without thrust",
-            _ if thrust < 0.0 => "pulled towards its apex",
-            _ => "pushed away from its apex",
-        };
-        let along = |thrust: f64| match thrust {
-            _ if thrust.abs() < NOTHING => "without thrust",
-            _ if thrust < 0.0 => "pushed along -y",
-            _ => "pushed along +y",
+        let is = |thrust: f64, ways: [&'static str; 3]| match thrust {
+            _ if thrust.abs() < NOTHING => ways[0],
+            _ if thrust < 0.0 => ways[1],
+            _ => ways[2],
         };
         if self.has_cones() {
-            return match pinion {
-                _ if pinion.abs() < NOTHING => format!("no thrust on the pinion; the gear is {}", away(gear)),
-                _ if pinion < 0.0 => format!("{THRUST_INTO_MESH}; the gear is {}", away(gear)),
-                _ => format!("thrust pushes the pinion out of mesh on this flank; the gear is {}", away(gear)),
-            };
+            let of_pinion =
+                ["no thrust on the pinion", THRUST_INTO_MESH, "thrust pushes the pinion out of mesh on this flank"];
+            let of_gear = ["no thrust", "towards its apex", "away from its apex"];
+            return format!("{}; gear: {}", is(pinion, of_pinion), is(gear, of_gear));
         }
         if pinion.abs() < NOTHING && gear.abs() < NOTHING {
             return "no thrust on either shaft".into();
         }
-        let unknown = if self.kind.is_some() { "" } else { "; whether that is into mesh, gear data would say" };
-        format!("the pinion is {}, the gear {}{unknown}", along(pinion), along(gear))
+        let along = ["not at all", "along -y", "along +y"];
+        let unknown = if self.kind.is_some() { "" } else { "; into mesh or out of it: gear data would say" };
+        format!("thrust pushes the pinion {}, the gear {}{unknown}", is(pinion, along), is(gear, along))
     }
 
     /// Whether that is the unusual way, which closes the backlash where a bearing gives way.

@@ -63,7 +63,7 @@ impl App {
             Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
             Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
             Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
-            Action::Modes if self.editors.open().is_none() => selected.is_some(),
+            Action::Modes | Action::GearPair if self.editors.open().is_none() => selected.is_some(),
             Action::MoveLeft | Action::MoveRight if self.mode == Mode::Modes => {
                 self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
             }
@@ -77,7 +77,6 @@ impl App {
             }
             // everyone knows, and there is much to say
             Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,
-            Action::GearPair if self.editors.open().is_none() => selected.is_some(),
             Action::Undo | Action::Redo | Action::Save | Action::FlipFlank if self.mode == Mode::Pair => {
                 self.editors.open().is_some_and(|editing| applies_in_editor(editing, action))
             }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::design::Design;
 use crate::gear::Force;
 use crate::number::significant;
-use crate::pair::{PairFigures, ShaftFigures};
+use crate::pair::{Arms, PairFigures, ShaftFigures};
 use crate::report::Table;
 
 #[derive(serde::Serialize)]
@@ -19,12 +19,8 @@ pub struct MeshOutput {
     #[serde(skip_serializing_if = "Option::is_none")]
     offset_mm: Option<f64>,
     /// Arm of the gear over that of the pinion, and the teeth; only with the teeth of both
-    #[serde(skip_serializing_if = "Option::is_none")]
-    torque_arm_ratio: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tooth_ratio: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    torque_arm_deviation_percent: Option<f64>,
+    #[serde(flatten)]
+    arms: Option<ArmsOutput>,
     /// Only with a torque
     #[serde(skip_serializing_if = "Option::is_none")]
     normal_force_n: Option<f64>,
@@ -61,6 +57,15 @@ struct ForceOutput {
 }
 
 #[derive(serde::Serialize)]
+struct ArmsOutput {
+    torque_arm_ratio: f64,
+    tooth_ratio: f64,
+    torque_arm_deviation_percent: f64,
+    #[serde(skip)]
+    deviation: String,
+}
+
+#[derive(serde::Serialize)]
 struct UnitOutput {
     normal_force_n: f64,
     pinion: ForceOutput,
@@ -86,9 +91,7 @@ impl MeshOutput {
             gear: side(&figures.gear),
             shaft_angle_deg: figures.pair.map(|pair| pair.shaft_angle.to_degrees()),
             offset_mm: figures.pair.map(|pair| pair.offset * 1e3),
-            torque_arm_ratio: figures.arms.map(|arms| arms.ratio),
-            tooth_ratio: figures.arms.map(|arms| arms.tooth_ratio()),
-            torque_arm_deviation_percent: figures.arms.map(|arms| arms.deviation_percent),
+            arms: figures.arms.map(ArmsOutput::from),
             normal_force_n: figures.normal_force.filter(|_| figures.torque.is_some()),
             at_1_n_m: if figures.torque.is_none() { under_1_n_m() } else { None },
             thrust: figures.thrust(),
@@ -118,7 +121,8 @@ impl MeshOutput {
             }
         }
         write!(out, "{table}")?;
-        let normal = self.normal_force_n.map(|force| (force, "")).or(unit.map(|unit| (unit.normal_force_n, " under 1 N m")));
+        let normal =
+            self.normal_force_n.map(|force| (force, "")).or(unit.map(|unit| (unit.normal_force_n, " under 1 N m")));
         if let Some((force, when)) = normal {
             writeln!(
                 out,
@@ -131,16 +135,25 @@ impl MeshOutput {
         if let Some((angle, offset)) = self.shaft_angle_deg.zip(self.offset_mm) {
             writeln!(out, "shaft angle {} deg, offset {} mm", significant(angle, 6), significant(offset, 5))?;
         }
-        if let (Some(arms), Some(teeth), Some(deviation)) =
-            (self.torque_arm_ratio, self.tooth_ratio, self.torque_arm_deviation_percent)
-        {
-            let [arms, teeth] = [arms, teeth].map(|ratio| significant(ratio, 5));
-            writeln!(out, "torque arms {arms} to 1, teeth {teeth} to 1 ({deviation:+.2} %)")?;
+        if let Some(arms) = &self.arms {
+            let [ratio, teeth] = [arms.torque_arm_ratio, arms.tooth_ratio].map(|ratio| significant(ratio, 5));
+            writeln!(out, "torque arms {ratio} to 1, teeth {teeth} to 1: {}", arms.deviation)?;
         }
         if let Some(frequency) = self.mesh_frequency_hz {
             writeln!(out, "mesh frequency {} Hz", significant(frequency, 5))?;
         }
         Ok(())
+    }
+}
+
+impl From<Arms> for ArmsOutput {
+    fn from(arms: Arms) -> Self {
+        Self {
+            torque_arm_ratio: arms.ratio,
+            tooth_ratio: arms.tooth_ratio(),
+            torque_arm_deviation_percent: arms.deviation_percent,
+            deviation: arms.deviation(),
+        }
     }
 }
 

@@ -66,7 +66,9 @@ pub fn render_file(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Positio
     let (style, text) = match &form.refused {
         _ if form.pending.is_some() => (theme.faint, format!("reading{}", theme.glyphs.ellipsis)),
         Some(error) => (theme.error, format!("{} {error}", theme.glyphs.broken)),
-        None => (theme.faint, "CSV: mesh point, line of action, stiffness, transmission error; nothing changes yet".into()),
+        None => {
+            (theme.faint, "CSV: mesh point, line of action, stiffness, transmission error; nothing changes yet".into())
+        }
     };
     let lines = wrap(&text, room);
     let height = (lines.len() as u16).saturating_add(4);

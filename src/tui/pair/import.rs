@@ -108,7 +108,10 @@ impl App {
                 if self.mode == Mode::MeshFile {
                     self.mode = Mode::MeshImport;
                 } else {
-                    self.below.iter_mut().filter(|mode| **mode == Mode::MeshFile).for_each(|mode| *mode = Mode::MeshImport);
+                    self.below
+                        .iter_mut()
+                        .filter(|mode| **mode == Mode::MeshFile)
+                        .for_each(|mode| *mode = Mode::MeshImport);
                 }
                 self.preview_import();
             }

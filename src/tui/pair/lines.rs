@@ -30,7 +30,9 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
         Line::Both("axial force", force(|force| force.axial), "N"),
         Line::Both("radial force", force(|force| force.radial), "N"),
         Line::Both("tangential", force(|force| force.tangential), "N"),
-        Line::Note(if figures.has_cones() { "axial +: away from the apex" } else { "axial +: along the shaft's +y" }.into()),
+        Line::Note(
+            if figures.has_cones() { "axial +: away from the apex" } else { "axial +: along the shaft's +y" }.into(),
+        ),
         Line::Note("radial +: towards its own axis".into()),
         Line::Note("tangential +: turns it about its +y".into()),
     ];
@@ -47,11 +49,8 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
     lines.push(match &figures.arms {
         Some(arms) => {
             let [pinion, gear] = arms.teeth;
-            Line::Single(format!(
-                "arms 1:{}, teeth {pinion}:{gear}, {:+.2} %",
-                significant(arms.ratio, 4),
-                arms.deviation_percent
-            ))
+            let ratio = significant(arms.ratio, 4);
+            Line::Single(format!("arms 1:{ratio}, teeth {pinion}:{gear}, {}", arms.deviation()))
         }
         None => Line::Single("arms against teeth: no teeth written".into()),
     });
@@ -67,7 +66,9 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
     for (at, name) in ["line x", "     y", "     z"].into_iter().enumerate() {
         lines.push(Line::Both(name, both(&|shaft| fixed(shaft.vectors.line_of_action[at], 5)), ""));
     }
-    lines.push(Line::Note("point: from the mesh station; line of action: the force on the gear; each in its shaft's frame".into()));
+    lines.push(Line::Note(
+        "point: from the mesh station; line of action: the force on the gear; each in its shaft's frame".into(),
+    ));
     lines.push(match figures.mesh_frequency {
         Some(hz) => Line::Single(format!("mesh frequency {} Hz", significant(hz, 5))),
         None => Line::Single("mesh frequency: no speed or no teeth".into()),
@@ -102,10 +103,8 @@ fn signed(value: f64, digits: usize) -> String {
 
 /// With a sign and so many decimals.
 fn fixed(value: f64, decimals: usize) -> String {
-    if value.abs() < 0.5 * 10_f64.powi(-(decimals as i32)) {
-        return "0".into();
-    }
-    if value.abs() < 1e5 { format!("{value:+.decimals$}") } else { signed(value, 5) }
+    let text = if value.abs() < 1e5 { format!("{value:+.decimals$}") } else { signed(value, 5) };
+    if text.contains(|digit| ('1'..='9').contains(&digit)) { text } else { "0".into() }
 }
 
 /// The lines with tabs between, for a spreadsheet, and the sentence about the thrust.

@@ -16,6 +16,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 
+use crate::gear::THRUST_INTO_MESH;
 use crate::pair::scenes;
 use crate::text::{cut, printable, wrap};
 use crate::tui::app::App;
@@ -23,6 +24,7 @@ use crate::tui::editor::{Editing, Tab};
 use crate::tui::pair::{PairView, Shown};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::panel::{self, Title};
+use crate::tui::widgets::table::severity_mark;
 use crate::tui::widgets::{figures, footer, header, pair_numbers, pair_picture};
 
 /// Columns that the numbers take.
@@ -78,11 +80,12 @@ fn render_body(
 fn render_picture(shown: &Shown, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let scenes = scenes(&shown.design, &shown.figures);
     let left = match &scenes[..] {
-        [scene] => {
-            let short = scene.title.split(':').next().unwrap_or_default().to_owned();
-            vec![scene.title.clone(), short]
-        }
-        _ => vec!["each shaft from its +y end, z up, x left".into(), "from +y, z up, x left".into(), "z up, x left".into()],
+        [scene] => scene.titles.clone(),
+        _ => vec![
+            "each shaft from its +y end, z up, x left".into(),
+            "from +y, z up, x left".into(),
+            "z up, x left".into(),
+        ],
     };
     let inner = panel::frame(area, buffer, &Title { left, right: Vec::new() }, false, theme);
     panel::bottom(area, buffer, &Title { left: pair_picture::legend(theme), right: Vec::new() }, false, theme);
@@ -104,33 +107,41 @@ fn render_picture(shown: &Shown, theme: &Theme, area: Rect, buffer: &mut Buffer)
     }
 }
 
-/// Which way the thrust acts, and what there is to be said.
+/// Which way the thrust acts, and what there is to be said; where that is nothing, the thrust has both lines.
 fn render_said(editing: &Editing, shown: Option<&Shown>, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
-    let mut say = |y: u16, text: &str, style: Style| {
-        let text = cut(&printable(text), width.saturating_sub(1), theme.glyphs.ellipsis);
-        buffer.set_stringn(area.x, area.y + y, text, width, style);
-    };
+    let mut lines: Vec<(String, Style)> = Vec::new();
     if let Some(shown) = shown {
         let figures = &shown.figures;
-        if figures.pulls_into_mesh() {
-            say(0, &format!(" ! {}", figures.thrust()), theme.warning);
-        } else {
-            say(0, &format!(" {}", figures.thrust()), theme.title);
+        let (mark, style) = if figures.pulls_into_mesh() { ("! ", theme.warning) } else { ("", theme.title) };
+        let text = format!("{mark}{}", figures.thrust());
+        lines.extend(wrap(&text, width.saturating_sub(2)).into_iter().map(|line| (line, style)));
+    }
+    if let Some(said) = said(editing, theme) {
+        let room = width.saturating_sub(2);
+        // of a thrust in two lines the first is read
+        let is_long = lines.len() > 1;
+        if let Some((line, _)) = lines.first_mut().filter(|_| is_long) {
+            *line = cut(&format!("{line}{}", theme.glyphs.ellipsis), room, theme.glyphs.ellipsis);
         }
+        lines.truncate(1);
+        lines.push((cut(&printable(&said.0), room, theme.glyphs.ellipsis), said.1));
     }
+    for ((line, style), y) in lines.into_iter().zip(area.top()..area.bottom()) {
+        buffer.set_stringn(area.x + 1, y, line, width.saturating_sub(1), style);
+    }
+}
+
+/// What happened last, else what is wrong or unusual in the mesh besides the thrust.
+fn said(editing: &Editing, theme: &Theme) -> Option<(String, Style)> {
     if let Some(notice) = &editing.notice {
-        let style = if notice.is_error { theme.error } else { theme.title };
-        return say(1, &format!(" {}", notice.text), style);
+        return Some((notice.text.clone(), if notice.is_error { theme.error } else { theme.title }));
     }
-    // the thrust is said already
     let problems = editing.problems();
-    let of_mesh = |path: &crate::design::KeyPath| Tab::of(path).0 == Tab::Mesh;
     let other = problems
         .iter()
-        .find(|finding| of_mesh(&finding.key_path) && !finding.message.starts_with(crate::gear::THRUST_INTO_MESH));
-    if let Some(finding) = other {
-        let sentence = editing.sentences(std::slice::from_ref(finding)).concat();
-        say(1, &format!(" ! {sentence}"), theme.warning);
-    }
+        .find(|finding| Tab::of(&finding.key_path).0 == Tab::Mesh && !finding.message.starts_with(THRUST_INTO_MESH))?;
+    let sentence = editing.sentences(std::slice::from_ref(other)).concat();
+    let (mark, style) = severity_mark(other.severity, theme);
+    Some((format!("{mark} {sentence}"), style))
 }

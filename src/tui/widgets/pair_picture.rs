@@ -24,11 +24,19 @@ const DASH: (usize, usize) = (4, 3);
 /// More dots than a line has on any screen.
 const MOST_DOTS: f64 = 4096.0;
 
+/// The narrowest picture with names in it.
+const SMALL: u16 = 24;
+
 /// What the marks mean, the longest text first.
 pub fn legend(theme: &Theme) -> Vec<String> {
     let [towards, away, mesh, _] = marks(theme);
     let forces = format!("force: a axial r radial t tangential, {towards} to you {away} away");
-    vec![format!("{forces}, {mesh} mesh point"), forces, format!("a r t forces, {towards} to you, {away} away"), format!("{towards} to you {away} away")]
+    vec![
+        format!("{forces}, {mesh} mesh point"),
+        forces,
+        format!("a r t forces, {towards} to you, {away} away"),
+        format!("{towards} to you {away} away"),
+    ]
 }
 
 /// Towards the viewer, away, mesh point, apex
@@ -55,6 +63,8 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
         }
     }
     canvas.render(area, buffer);
+    // there is room for the marks, and not for what stands beside them
+    let is_small = area.width < SMALL;
     let [towards, away, mesh, apex] = marks(theme);
     let mut mark = |at: [f64; 2], character: char, style: Style| {
         let (x, y) = map.cell(at);
@@ -73,11 +83,17 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     for shape in &scene.shapes {
         match *shape {
             Shape::Force { from, to, letter, .. } => head(map, (from.into(), to.into()), letter, theme, buffer),
-            Shape::ForceAcross { at, letter, .. } => {
+            Shape::ForceAcross { at, letter, .. } if !is_small => {
                 let (x, y) = map.cell(at.into());
                 map.write((x + 1, y), letter.encode_utf8(&mut [0; 4]), theme.warning, buffer);
             }
-            Shape::Label { at, text } => map.write(map.cell(at.into()), text, theme.faint, buffer),
+            Shape::Label { at, text } => {
+                // below its place, or above where that is the last row
+                let (x, y) = map.cell(at.into());
+                let y = if y + 1 < area.bottom() { y + 1 } else { y.saturating_sub(1) };
+                let text = if is_small { &text[..1] } else { text };
+                map.write((x, y), text, theme.faint, buffer);
+            }
             _ => {}
         }
     }
@@ -136,7 +152,8 @@ impl Map {
     /// The cell of a place, on the screen.
     fn cell(&self, at: [f64; 2]) -> (u16, u16) {
         let (x, y) = self.dot(at);
-        let cell = |dot: f64, dots: usize, last: u16| ((dot.max(0.0) as usize / dots) as u16).min(last.saturating_sub(1));
+        let cell =
+            |dot: f64, dots: usize, last: u16| ((dot.max(0.0) as usize / dots) as u16).min(last.saturating_sub(1));
         (self.area.x + cell(x, self.dots.0, self.area.width), self.area.y + cell(y, self.dots.1, self.area.height))
     }
 
@@ -183,12 +200,12 @@ fn head(map: Map, (from, to): ([f64; 2], [f64; 2]), letter: char, theme: &Theme,
     // eighths of a turn, from the right upwards
     let eighth = (up.atan2(right) / std::f64::consts::FRAC_PI_4).round() as i32;
     let eighth = eighth.rem_euclid(8) as usize;
-    let heads = if theme.glyphs.ascii { [">", "/", "^", "\\", "<", "/", "v", "\\"] } else { ["→", "↗", "↑", "↖", "←", "↙", "↓", "↘"] };
-    map.write((x, y), heads[eighth], theme.warning, buffer);
-    let beyond = match eighth {
-        0 | 1 | 7 => (x + 1, y),
-        3..=5 => (x.saturating_sub(1), y),
-        _ => (x + 1, y),
+    let heads = if theme.glyphs.ascii {
+        [">", "/", "^", "\\", "<", "/", "v", "\\"]
+    } else {
+        ["→", "↗", "↑", "↖", "←", "↙", "↓", "↘"]
     };
+    map.write((x, y), heads[eighth], theme.warning, buffer);
+    let beyond = if (3..=5).contains(&eighth) { (x.saturating_sub(1), y) } else { (x + 1, y) };
     map.write(beyond, letter.encode_utf8(&mut [0; 4]), theme.warning, buffer);
 }
