@@ -53,6 +53,7 @@
 //! - The forces of bearings, mesh and drive on a shaft are what accelerates its mass (`tests/bearing_forces.rs`).
 //! - Loads of a bearing are the gradient of one convex energy, its stiffness the derivative of the loads (`tests/bearing`).
 //! - A bearing without contact has no stiffness matrix: it is an error (`tests/bearing`, `tests/mean_states.rs`).
+//! - What the teeth push on one shaft pushes back on the other (`tests/pair.rs`).
 //! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).

@@ -47,19 +47,17 @@ pub fn read_flanks(text: &str) -> Result<Vec<AveragedMesh>, String> {
 }
 
 /// Mesh point, line of action, stiffness and transmission error of one flank. Vectors take the place of gear data, if there are any.
-pub fn edit_of(mesh: &AveragedMesh, has_geometry: bool) -> Edit {
+pub fn edit_of(mesh: &AveragedMesh) -> Edit {
     let top = KeyPath::root().key("mesh");
     let set = |path: KeyPath, text: String| Some(Edit::Set { path, value: Spelled::parse(&text)? });
-    let mut edits: Vec<Option<Edit>> = Vec::new();
-    if has_geometry {
-        edits.push(Some(Edit::Remove { path: top.key("geometry") }));
-    }
+    // does nothing where there are none
+    let mut edits = vec![Some(Edit::Remove { path: top.key("geometry") })];
     for (side, (point, line)) in Side::BOTH.into_iter().zip(mesh.sides) {
         edits.push(set(top.key(side.name()).key("point_mm"), format!("{point:?}")));
         edits.push(set(top.key(side.name()).key("line_of_action"), format!("{line:?}")));
     }
     edits.push(set(top.key("transmission_error_um"), format!("{:?}", mesh.transmission_error_um)));
-    edits.push(set(top.key("stiffness_n_per_m"), format!("{:?}", mesh.stiffness_n_per_m)));
+    edits.push(set(top.key("stiffness_n_per_m"), format!("{:e}", mesh.stiffness_n_per_m)));
     let name = EditName::new(format!("averaged mesh numbers of the {} flank", mesh.flank));
     Edit::Several { edits: edits.into_iter().flatten().collect(), name }
 }

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::scene::{Role, Scene, Shape, View, force_scale};
+use super::scene::{Point, Role, Scene, Shape, View, force_scale};
 use super::{PairFigures, ShaftFigures};
 use crate::design::Side;
 use crate::gear::Pair;
@@ -82,7 +82,7 @@ impl Frame {
         let mut shapes = vec![
             Shape::Circle { centre, radius: self.radius, role: Role::Pitch(side) },
             Shape::Line { from: centre, to: at, role: Role::Axis(side) },
-            Shape::Label { at: centre, text: side.name() },
+            Shape::Label { at: centre - Point::new(0.0, self.radius), text: side.name() },
         ];
         if let Some(force) = shaft.force {
             let arrow = |along: Vector3<f64>, letter: char| Shape::Force {

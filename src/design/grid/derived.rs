@@ -4,7 +4,6 @@ use super::{CellKind, Grid, Sheet, Shown};
 use crate::design::document::Tree;
 use crate::design::key_path::Step;
 use crate::design::{Design, Side};
-use crate::number::significant;
 
 impl Grid {
     /// Puts what follows from the gear data of the text into the empty cells of a table of mesh vectors. As long as the text is no design, nobody
@@ -22,11 +21,12 @@ impl Grid {
                 continue;
             };
             let value = vectors.and_then(|vectors| match cell.column.key {
-                "point_mm" => vectors.point.get(at).map(|value| value * 1e3),
-                _ => vectors.line_of_action.get(at).copied(),
+                "point_mm" => vectors.point.get(at).map(|value| format!("{:.4}", value * 1e3)),
+                _ => vectors.line_of_action.get(at).map(|value| format!("{value:.6}")),
             });
-            // what is rounding beside sizes of a gear is the zero it stands for
-            let shown = value.map(|value| if value.abs() < 1e-9 { "0".into() } else { significant(value, 6) });
+            // without a digit it is the zero that it stands for
+            let is_something = |text: &String| text.contains(|digit| ('1'..='9').contains(&digit));
+            let shown = value.map(|text| if is_something(&text) { text } else { "0".into() });
             cell.shown = Shown::Derived(shown.unwrap_or_else(|| "?".into()));
             cell.required = false;
         }

@@ -10,8 +10,7 @@ use crate::tui::text_field::TextField;
 use crate::units::Quantity;
 
 /// Said of a value that is shown and not written.
-pub const FROM_GEOMETRY: &str =
-    "Follows from the gear data in [mesh.geometry], further down: change it there, or see the gear pair.";
+pub const FROM_GEOMETRY: &str = "From the gear data in [mesh.geometry]: change those, further down.";
 
 /// A value while it is typed.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::design::{Editor, diff};
+use crate::design::grid::Sheet;
+use crate::design::{EditError, Editor, Side, diff};
 use crate::gear::AveragedMesh;
 use crate::pair::{Flank, edit_of};
 use crate::text::printable;
@@ -133,28 +134,26 @@ impl App {
     pub(super) fn accept_import(&mut self) -> Vec<Effect> {
         let Some(form) = self.pair.as_ref().and_then(|view| view.import.as_ref()) else { return Vec::new() };
         let Some(Ok(_)) = &form.preview else { return Vec::new() };
-        let text = self.editors.open().map_or("", |editing| editing.editor.text());
-        let edit = form.flank.of(&form.flanks).map(|mesh| edit_of(mesh, has_geometry(text)));
+        let edit = form.flank.of(&form.flanks).map(edit_of);
         self.close_pair_form();
         edit.map_or(Vec::new(), |edit| self.edit_pair(&edit))
     }
 }
 
-/// Also where the gear data have errors.
-fn has_geometry(text: &str) -> bool {
-    let path = crate::design::KeyPath::root().key("mesh").key("geometry");
-    crate::design::Document::parse(text).is_ok_and(|document| document.get(&path).is_some())
-}
-
 fn preview(text: &str, mesh: &AveragedMesh) -> Result<Preview, String> {
-    let in_words = |error: crate::design::EditError| printable(&error.to_string()).into_owned();
-    let mut editor = Editor::new(text).map_err(in_words)?;
-    editor.apply(&edit_of(mesh, has_geometry(text))).map_err(in_words)?;
+    let in_words = |error: EditError| printable(&error.to_string()).into_owned();
+    let before = Editor::new(text).map_err(in_words)?;
+    let mut editor = before.clone();
+    editor.apply(&edit_of(mesh)).map_err(in_words)?;
+    let vectors = Side::BOTH.map(|side| before.grid(&Sheet::mesh_side(side)));
     let changes = diff(text, editor.text()).into_iter().map(|difference| {
         let [a, b] = difference.shown();
-        // of what is gone there is no label in the new text
+        // of what was not written the label is in the new text
         let label = if difference.a.is_some() { &difference.label } else { &difference.label_in_b };
-        [label.as_str(), a, b, difference.unit].map(|text| printable(text).into_owned())
+        let derived =
+            vectors.iter().find_map(|grid| grid.cell(&difference.path)).filter(|cell| cell.shown.is_derived());
+        let a = derived.map_or_else(|| a.to_owned(), |cell| format!("({})", cell.shown.text()));
+        [label.as_str(), &a, b, difference.unit].map(|text| printable(text).into_owned())
     });
     let findings = editor.reading().findings.iter().filter(|finding| finding.shown_path().starts_with("mesh"));
     Ok(Preview { changes: changes.collect(), findings: findings.map(sentence).collect() })

@@ -76,8 +76,16 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             Shape::ForceAcross { at, towards_viewer, .. } => {
                 mark(at.into(), if towards_viewer { towards } else { away }, theme.warning);
             }
-            Shape::MeshPoint(at) => mark(at.into(), mesh, theme.title),
             _ => {}
+        }
+    }
+    // the names first: what lies over them is to scale
+    for shape in &scene.shapes {
+        if let Shape::Label { at, text } = *shape {
+            // below its place, or above where that is the last row
+            let (x, y) = map.cell(at.into());
+            let y = if y + 1 < area.bottom() { y + 1 } else { y.saturating_sub(1) };
+            map.write((x, y), text, theme.faint, buffer);
         }
     }
     for shape in &scene.shapes {
@@ -87,14 +95,13 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
                 let (x, y) = map.cell(at.into());
                 map.write((x + 1, y), letter.encode_utf8(&mut [0; 4]), theme.warning, buffer);
             }
-            Shape::Label { at, text } => {
-                // below its place, or above where that is the last row
-                let (x, y) = map.cell(at.into());
-                let y = if y + 1 < area.bottom() { y + 1 } else { y.saturating_sub(1) };
-                let text = if is_small { &text[..1] } else { text };
-                map.write((x, y), text, theme.faint, buffer);
-            }
             _ => {}
+        }
+    }
+    for shape in &scene.shapes {
+        if let Shape::MeshPoint(at) = *shape {
+            let (x, y) = map.cell(at.into());
+            put(buffer, x, y, mesh, theme.title);
         }
     }
 }
