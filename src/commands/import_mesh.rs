@@ -56,7 +56,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let loaded = input::load(&args.file, err)?;
     let usage = |error: &dyn std::fmt::Display| CommandError::Usage(printable(&error.to_string()).into_owned());
     let mut editor = Editor::new(loaded.text.as_str()).map_err(|error| usage(&error))?;
-    let edit = edit_of(mesh);
+    let edit = edit_of(mesh, &editor);
     editor.apply(&edit).map_err(|error| usage(&error))?;
     let reading = editor.reading();
     let name = args.output.display().to_string();

@@ -1,6 +1,6 @@
 //! Averaged mesh numbers of a contact program, as one edit of a design.
 
-use crate::design::{Edit, EditName, KeyPath, Side, Spelled};
+use crate::design::{Edit, EditName, Editor, KeyPath, Side, Spelled};
 use crate::gear::{AveragedMesh, read_csv};
 
 /// A flank of a table of mesh numbers.
@@ -46,12 +46,13 @@ pub fn read_flanks(text: &str) -> Result<Vec<AveragedMesh>, String> {
     read_csv(text).map_err(|error| error.to_string())
 }
 
-/// Mesh point, line of action, stiffness and transmission error of one flank. Vectors take the place of gear data, if there are any.
-pub fn edit_of(mesh: &AveragedMesh) -> Edit {
+/// Mesh point, line of action, stiffness and transmission error of one flank, for the text as it is in `editor`: vectors take the place of gear data, if it
+/// has any.
+pub fn edit_of(mesh: &AveragedMesh, editor: &Editor) -> Edit {
     let top = KeyPath::root().key("mesh");
     let set = |path: KeyPath, text: String| Some(Edit::Set { path, value: Spelled::parse(&text)? });
-    // does nothing where there are none
-    let mut edits = vec![Some(Edit::Remove { path: top.key("geometry") })];
+    let geometry = Some(top.key("geometry")).filter(|path| editor.is_written(path));
+    let mut edits: Vec<Option<Edit>> = geometry.into_iter().map(|path| Some(Edit::Remove { path })).collect();
     for (side, (point, line)) in Side::BOTH.into_iter().zip(mesh.sides) {
         edits.push(set(top.key(side.name()).key("point_mm"), format!("{point:?}")));
         edits.push(set(top.key(side.name()).key("line_of_action"), format!("{line:?}")));

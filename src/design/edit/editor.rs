@@ -111,6 +111,11 @@ impl Editor {
         grid
     }
 
+    /// Whether the text has that key or table.
+    pub fn is_written(&self, path: &KeyPath) -> bool {
+        self.document.tree().at(path).is_some()
+    }
+
     /// What people call the values at some paths: `outer diameter of pinion segment 3`.
     pub fn labels<'a>(&self, paths: impl Iterator<Item = &'a KeyPath>) -> Vec<String> {
         let tree = self.document.tree();

@@ -95,11 +95,11 @@ pub fn render_import(app: &mut App, area: Rect, buffer: &mut Buffer) {
             let lines = changes(preview, room).into_iter().map(|line| (line, theme.fe));
             let findings = preview.findings.iter().flat_map(|finding| wrap(&format!("! {finding}"), room));
             let lines: Vec<_> = lines.chain(findings.map(|line| (line, theme.warning))).collect();
-            (lines, format!("{accept}: take over as one step   {other}   {back}: nothing changes"))
+            (lines, format!("{accept}: take over   {other}   {back}: leave as it is"))
         }
         Some(Err(error)) => {
             let lines = wrap(&printable(error), room).into_iter().map(|line| (line, theme.error));
-            (lines.collect(), format!("{other}   {back}: nothing changes"))
+            (lines.collect(), format!("{other}   {back}: leave as it is"))
         }
         None => (Vec::new(), String::new()),
     };

@@ -133,8 +133,8 @@ impl App {
     /// Takes the flank over, as one edit.
     pub(super) fn accept_import(&mut self) -> Vec<Effect> {
         let Some(form) = self.pair.as_ref().and_then(|view| view.import.as_ref()) else { return Vec::new() };
-        let Some(Ok(_)) = &form.preview else { return Vec::new() };
-        let edit = form.flank.of(&form.flanks).map(edit_of);
+        let (Some(Ok(_)), Some(editing)) = (&form.preview, self.editors.open()) else { return Vec::new() };
+        let edit = form.flank.of(&form.flanks).map(|mesh| edit_of(mesh, &editing.editor));
         self.close_pair_form();
         edit.map_or(Vec::new(), |edit| self.edit_pair(&edit))
     }
@@ -144,7 +144,7 @@ fn preview(text: &str, mesh: &AveragedMesh) -> Result<Preview, String> {
     let in_words = |error: EditError| printable(&error.to_string()).into_owned();
     let before = Editor::new(text).map_err(in_words)?;
     let mut editor = before.clone();
-    editor.apply(&edit_of(mesh)).map_err(in_words)?;
+    editor.apply(&edit_of(mesh, &before)).map_err(in_words)?;
     let vectors = Side::BOTH.map(|side| before.grid(&Sheet::mesh_side(side)));
     let changes = diff(text, editor.text()).into_iter().map(|difference| {
         let [a, b] = difference.shown();
@@ -153,7 +153,8 @@ fn preview(text: &str, mesh: &AveragedMesh) -> Result<Preview, String> {
         let derived =
             vectors.iter().find_map(|grid| grid.cell(&difference.path)).filter(|cell| cell.shown.is_derived());
         let a = derived.map_or_else(|| a.to_owned(), |cell| format!("({})", cell.shown.text()));
-        [label.as_str(), &a, b, difference.unit].map(|text| printable(text).into_owned())
+        let (b, unit) = if difference.b.is_none() { ("removed", "") } else { (b, difference.unit) };
+        [label.as_str(), &a, b, unit].map(|text| printable(text).into_owned())
     });
     let findings = editor.reading().findings.iter().filter(|finding| finding.shown_path().starts_with("mesh"));
     Ok(Preview { changes: changes.collect(), findings: findings.map(sentence).collect() })

@@ -82,8 +82,8 @@ fn render_picture(shown: &Shown, theme: &Theme, area: Rect, buffer: &mut Buffer)
     let left = match &scenes[..] {
         [scene] => scene.titles.clone(),
         _ => vec![
-            "each shaft from its +y end, z up, x left".into(),
-            "from +y, z up, x left".into(),
+            "each shaft to its own scale, from its +y end, z up, x left".into(),
+            "own scales, from +y: z up, x left".into(),
             "z up, x left".into(),
         ],
     };
