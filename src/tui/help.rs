@@ -54,6 +54,8 @@ const EXPLORER: &[Mode] = &[
     Mode::Why,
     Mode::Modes,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Confirm,
     Mode::Leave,
     Mode::Recovery,
@@ -69,6 +71,8 @@ const EDITOR: &[Mode] = &[
     Mode::Findings,
     Mode::Spectra,
     Mode::Why,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Leave,
     Mode::Recovery,
     Mode::Conflict,
@@ -76,10 +80,26 @@ const EDITOR: &[Mode] = &[
     Mode::Help,
 ];
 /// Where letters are text.
-const TYPED_IN_EXPLORER: &[Mode] =
-    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::HelpSearch];
-const TYPED_IN_EDITOR: &[Mode] =
-    &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::HelpSearch];
+const TYPED_IN_EXPLORER: &[Mode] = &[
+    Mode::Filter,
+    Mode::Palette,
+    Mode::Name,
+    Mode::Export,
+    Mode::Frequency,
+    Mode::FaceWidth,
+    Mode::MeshFile,
+    Mode::HelpSearch,
+];
+const TYPED_IN_EDITOR: &[Mode] = &[
+    Mode::Cell,
+    Mode::Form,
+    Mode::Export,
+    Mode::Palette,
+    Mode::Frequency,
+    Mode::FaceWidth,
+    Mode::MeshFile,
+    Mode::HelpSearch,
+];
 
 impl App {
     pub(super) fn open_help(&mut self) {
