@@ -7,6 +7,7 @@ use crate::gear::Force;
 use crate::number::significant;
 use crate::pair::{Arms, PairFigures, ShaftFigures};
 use crate::report::Table;
+use crate::text::wrap;
 
 #[derive(serde::Serialize)]
 pub struct MeshOutput {
@@ -126,12 +127,14 @@ impl MeshOutput {
         if let Some((force, when)) = normal {
             writeln!(
                 out,
-                "mean normal force {} N{when}; on each shaft: axial along y, radial towards its axis, tangential",
+                "mean normal force {} N{when}; on each shaft:\naxial along y, radial towards its axis, tangential",
                 significant(force, 6)
             )?;
             write!(out, "{forces}")?;
         }
-        writeln!(out, "{}", self.thrust)?;
+        for line in wrap(&self.thrust, 79) {
+            writeln!(out, "{line}")?;
+        }
         if let Some((angle, offset)) = self.shaft_angle_deg.zip(self.offset_mm) {
             writeln!(out, "shaft angle {} deg, offset {} mm", significant(angle, 6), significant(offset, 5))?;
         }
