@@ -18,6 +18,7 @@
 //! | [`gear`] | gear data to mesh points, lines of action, tooth forces | |
 //! | [`bearing`] | ball and roller bearings: loads, stiffness, equilibrium (Lim and Singh) | 2 |
 //! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library, journals and locks | |
+//! | [`pair`] | the gear pair of a design: forces on both shafts, pictures to scale, stiffness estimate, import of mesh numbers | |
 //! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
 //! | [`model`] | the finite element, lumped and reduced models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
 //! | [`response`] | the exact shortcut to the mesh force, the direct solve, modes with the mesh, forces of the bearings | 2, 4 |
@@ -54,6 +55,7 @@
 //! - Loads of a bearing are the gradient of one convex energy, its stiffness the derivative of the loads (`tests/bearing`).
 //! - A mean state is found again only where something that it depends on has changed (`tests/mean_states.rs`, `tests/tui_bearings.rs`).
 //! - A bearing without contact has no stiffness matrix: it is an error (`tests/bearing`, `tests/mean_states.rs`).
+//! - What the teeth push on one shaft pushes back on the other (`tests/pair.rs`).
 //! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
@@ -80,6 +82,7 @@ pub mod log;
 pub mod model;
 pub mod moment;
 pub mod number;
+pub mod pair;
 pub mod report;
 pub mod response;
 pub mod rotor;

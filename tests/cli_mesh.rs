@@ -101,7 +101,17 @@ fn inspect_shows_bearings_and_forces() {
         assert!(number(&bearing["stiffness"][1][1]) > 1e7);
     }
     assert!((thrust / force("pinion", "axial_n") - 1.0).abs() < 1e-9, "the bearings take the thrust");
-    assert!(json(&["inspect", &design("overhung-elastic"), "--format", "json"])["mesh"]["normal_force_n"].is_null());
+    assert!(number(&mesh["torque_arm_deviation_percent"]).abs() < 0.02);
+    assert!((number(&mesh["tooth_ratio"]) - 39.0 / 14.0).abs() < 1e-12 && mesh["at_1_n_m"].is_null());
+    assert!(mesh["thrust"].as_str().unwrap().starts_with("thrust pushes the pinion out of mesh"));
+    // without a torque the forces are those under 1 N m
+    let value = json(&["inspect", &design("overhung-elastic"), "--format", "json"]);
+    assert!(value["mesh"]["normal_force_n"].is_null() && value["mesh"]["pinion"]["force"].is_null());
+    let unit = &value["mesh"]["at_1_n_m"];
+    let arm = number(&value["mesh"]["pinion"]["torque_arm_mm"]) / 1e3;
+    assert!((number(&unit["normal_force_n"]) * arm - 1.0).abs() < 1e-12);
+    let text = String::from_utf8(bevelscope(&["inspect", &design("overhung-elastic")]).stdout).unwrap();
+    assert!(text.contains("N under 1 N m;") && text.contains("teeth 2.7857 to 1"), "{text}");
 }
 
 #[test]

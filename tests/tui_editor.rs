@@ -471,6 +471,10 @@ fn change(screen: &mut Screen, cell: &Cell) {
     if matches!(cell.kind, CellKind::Whole(low, high) if low == high) {
         return;
     }
+    // nor what follows from gear data
+    if cell.shown.is_derived() {
+        return;
+    }
     // nor the only word that there is
     if matches!(cell.kind, CellKind::Choice(_)) && cell.kind.words() == [cell.shown.text()] {
         return;

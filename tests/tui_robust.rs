@@ -58,6 +58,9 @@ fn screens() -> Vec<Make> {
     .into_iter()
     .map(|keys| after(keys, library))
     .collect();
+    for stem in ["tapered-hypoid", "straddle-helical"] {
+        screens.push(after("Pj", move || Screen::with(&[stem], 80, 24, UNICODE, Shelf::shipped())));
+    }
     screens.push(Box::new(|| Screen::new(80, 24, ASCII)));
     screens.push(Box::new(|| Screen::with(&[], 80, 24, UNICODE, MadeUp)));
     let in_tables = [
@@ -79,6 +82,10 @@ fn screens() -> Vec<Make> {
         "Mf12",
         "M<Tab>G?",
         "eMx",
+        "P",
+        "PK21.59",
+        "Pf?",
+        "PI<Enter>",
     ];
     screens.extend(in_tables.map(|keys| after(keys, tables)));
     let axle = || Screen::with(&["tapered-axle"], 80, 24, UNICODE, Shelf::shipped());

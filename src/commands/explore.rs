@@ -12,6 +12,7 @@ use crate::comparison::{self, Comparison, Observer, SolveError};
 use crate::design::library::{Left, Trashed, trashed};
 use crate::design::{self, Difference, LoadError, library};
 use crate::document::Document;
+use crate::gear::AveragedMesh;
 use crate::model::Rotors;
 use crate::text::printable;
 use crate::tui::facts;
@@ -233,6 +234,10 @@ impl Backend for Files {
 
     fn export_design(&self, path: &Path, design: &Path, text: Option<&str>) -> Result<PathBuf, String> {
         super::export::design(path, design, text)
+    }
+
+    fn mesh_table(&self, path: &Path) -> Result<Vec<AveragedMesh>, String> {
+        super::import_mesh::flanks(path)
     }
 
     fn list(&self) -> Option<Result<Vec<PathBuf>, String>> {

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 
 use super::{CommandError, Status, input};
-use crate::design::{Edit, Editor, KeyPath, Side, Source, Spelled, save_new};
-use crate::gear::{AveragedMesh, read_csv};
+use crate::design::{Editor, Source, TextError, read_text, save_new};
+use crate::gear::AveragedMesh;
+use crate::pair::{Flank, edit_of, read_flanks};
 use crate::text::printable;
 
 /// Most bytes of a table.
@@ -26,35 +27,37 @@ pub struct Args {
     file: PathBuf,
     /// Which flank of the table
     #[arg(long, default_value = "drive")]
-    flank: Flank,
+    flank: FlankArg,
     /// New design file, or - for standard output; a file that is there is never overwritten
     #[arg(short, long)]
     output: PathBuf,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Flank {
+enum FlankArg {
     Drive,
     Coast,
 }
 
-impl Flank {
-    fn word(self) -> &'static str {
-        match self {
-            Self::Drive => "drive",
-            Self::Coast => "coast",
+impl From<FlankArg> for Flank {
+    fn from(flank: FlankArg) -> Self {
+        match flank {
+            FlankArg::Drive => Self::Drive,
+            FlankArg::Coast => Self::Coast,
         }
     }
 }
 
 pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<Status, CommandError> {
-    let mesh = flank(&args.csv, args.flank)?;
+    let name = args.csv.display().to_string();
+    let failed = |error: String| CommandError::Usage(format!("{}: {error}", printable(&name)));
+    let flanks = flanks(&args.csv).map_err(failed)?;
+    let mesh = Flank::from(args.flank).of(&flanks).map_err(failed)?;
     let loaded = input::load(&args.file, err)?;
     let usage = |error: &dyn std::fmt::Display| CommandError::Usage(printable(&error.to_string()).into_owned());
     let mut editor = Editor::new(loaded.text.as_str()).map_err(|error| usage(&error))?;
-    for edit in edits(&mesh, loaded.design.mesh.geometry.is_some()) {
-        editor.apply(&edit).map_err(|error| usage(&error))?;
-    }
+    let edit = edit_of(mesh, &editor);
+    editor.apply(&edit).map_err(|error| usage(&error))?;
     let reading = editor.reading();
     let name = args.output.display().to_string();
     let findings = Source::new(&name, editor.text()).render_all(&reading.findings);
@@ -70,34 +73,15 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     Ok(Status::Success)
 }
 
-fn flank(path: &Path, flank: Flank) -> Result<AveragedMesh, CommandError> {
-    let name = path.display().to_string();
-    let failed = |error: &dyn std::fmt::Display| {
-        CommandError::Usage(format!("{}: {}", printable(&name), printable(&error.to_string())))
-    };
-    let too_large = std::fs::metadata(path).map_err(|error| failed(&error))?.len() > MAX_BYTES;
-    if too_large {
-        return Err(failed(&"larger than 1 MiB: no table of averaged mesh numbers"));
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| failed(&error))?;
-    let flanks = read_csv(&text).map_err(|error| failed(&error))?;
-    let found = flanks.into_iter().find(|mesh| mesh.flank == flank.word());
-    found.ok_or_else(|| failed(&format!("there is no line for the flank {}", flank.word())))
-}
-
-/// Vectors take the place of gear data, if there are any.
-fn edits(mesh: &AveragedMesh, has_geometry: bool) -> Vec<Edit> {
-    let top = KeyPath::root().key("mesh");
-    let set = |path: KeyPath, text: String| Some(Edit::Set { path, value: Spelled::parse(&text)? });
-    let mut edits: Vec<Option<Edit>> = Vec::new();
-    if has_geometry {
-        edits.push(Some(Edit::Remove { path: top.key("geometry") }));
-    }
-    edits.push(set(top.key("stiffness_n_per_m"), format!("{:?}", mesh.stiffness_n_per_m)));
-    edits.push(set(top.key("transmission_error_um"), format!("{:?}", mesh.transmission_error_um)));
-    for (side, (point, line)) in Side::BOTH.into_iter().zip(mesh.sides) {
-        edits.push(set(top.key(side.name()).key("point_mm"), format!("{point:?}")));
-        edits.push(set(top.key(side.name()).key("line_of_action"), format!("{line:?}")));
-    }
-    edits.into_iter().flatten().collect()
+/// All flanks of a table file.
+///
+/// # Errors
+///
+/// What is wrong, in words that are harmless to show, without the file's name.
+pub fn flanks(path: &Path) -> Result<Vec<AveragedMesh>, String> {
+    let text = read_text(path, MAX_BYTES).map_err(|error| match error {
+        TextError::TooLarge { .. } => "larger than 1 MiB: no table of averaged mesh numbers".to_owned(),
+        error => error.to_string(),
+    });
+    text.and_then(|text| read_flanks(&text)).map_err(|error| printable(&error).into_owned())
 }

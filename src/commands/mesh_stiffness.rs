@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::{CommandError, Format, Status};
-use crate::gear::mean_mesh_stiffness;
+use crate::pair::{Estimate, METHOD};
 use crate::report::json;
 
 #[derive(Debug, clap::Args)]
@@ -19,9 +19,6 @@ pub struct Args {
     format: Format,
 }
 
-const METHOD: &str =
-    "estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, along the tooth normal";
-
 #[derive(serde::Serialize)]
 struct Output {
     stiffness_n_per_m: f64,
@@ -29,11 +26,11 @@ struct Output {
 }
 
 pub fn run(args: &Args, out: &mut impl Write) -> Result<Status, CommandError> {
-    let stiffness = mean_mesh_stiffness(args.face_width_mm / 1e3, args.spiral_angle_deg.to_radians())
+    let estimate = Estimate::new(args.face_width_mm / 1e3, args.spiral_angle_deg.to_radians())
         .map_err(|error| CommandError::Usage(error.to_string()))?;
     match args.format {
-        Format::Json => json::write(out, &Output { stiffness_n_per_m: stiffness, method: METHOD })?,
-        Format::Table => writeln!(out, "stiffness_n_per_m = {stiffness:.3e}    # {METHOD}")?,
+        Format::Json => json::write(out, &Output { stiffness_n_per_m: estimate.stiffness, method: METHOD })?,
+        Format::Table => writeln!(out, "stiffness_n_per_m = {}    # {METHOD}", estimate.written())?,
     }
     Ok(Status::Success)
 }

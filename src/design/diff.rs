@@ -99,7 +99,12 @@ pub fn changed_cells(before: &str, now: &Grid) -> Vec<KeyPath> {
                 others.next().is_some_and(|other| is_same(other, cell))
             })
         };
-        changed.extend(row.cells.iter().filter(|cell| !is_as_before(cell)).map(|cell| cell.path.clone()));
+        changed.extend(
+            row.cells
+                .iter()
+                .filter(|cell| !cell.shown.is_derived() && !is_as_before(cell))
+                .map(|cell| cell.path.clone()),
+        );
     }
     changed
 }

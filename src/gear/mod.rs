@@ -13,6 +13,9 @@ pub use mesh_stiffness::{StiffnessError, mean_mesh_stiffness};
 
 use nalgebra::Vector3;
 
+/// What is unusual about a pair of bevel gears.
+pub const THRUST_INTO_MESH: &str = "thrust pulls the pinion into mesh on this flank";
+
 /// What both members have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Teeth {

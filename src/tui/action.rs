@@ -214,6 +214,12 @@ actions! {
     NextElement, "next-element", Move, "the next element of the bearing, round from +z towards +x", hint 5 "element";
     PreviousElement, "previous-element", Move, "the element before", hint 5 "element";
     NextView, "next-view", Find, "spectra, 6x6 or element loads, where there is no room for all", hint 2 "6x6/spectra";
+    GearPair, "gear-pair", Designs, "the gear pair: forces on both shafts in numbers and to scale, stiffness estimate, import", hint 8 "gear pair";
+    FlipFlank, "flip-flank", Edit, "the pinion turns the other way: the other flank carries the load", hint 1 "flip flank";
+    EstimateStiffness, "estimate-stiffness", Edit, "an estimate of the mesh stiffness from a face width that is typed", hint 1 "stiffness";
+    ImportMesh, "import-mesh", Edit, "mesh point, line of action, stiffness and transmission error from a CSV file", hint 1 "import";
+    OtherValue, "other-value", Typing, "the other value: face width or angle", hint 1 "width/angle";
+    OtherFlank, "other-flank", Edit, "the other flank of the table: drive or coast", hint 1 "drive/coast";
     Quit, "quit", Program, "quit", hint 5 "quit";
 }
 

@@ -21,6 +21,7 @@ use super::message::Effect;
 use super::modes::ModesView;
 use super::notice::{Messages, Notice};
 use super::overview::Overview;
+use super::pair::PairView;
 use super::palette::Palette;
 use super::recovery::Recovery;
 use super::solving::{Job, Summary, Ticket};
@@ -58,6 +59,7 @@ pub struct App {
     pub modes: Option<Box<ModesView>>,
     pub bearings: Option<BearingsView>,
     pub overview: Overview,
+    pub pair: Option<Box<PairView>>,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -187,6 +189,7 @@ impl App {
             modes: None,
             bearings: None,
             overview: Overview::default(),
+            pair: None,
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

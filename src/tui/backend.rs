@@ -10,7 +10,9 @@ use crate::comparison::{Comparison, Observer, SolveError};
 use crate::design::library::{Left, VariantName};
 use crate::design::{Design, Difference};
 use crate::document::Document;
+use crate::gear::AveragedMesh;
 use crate::model::{ModelKind, Rotors};
+use crate::pair::read_flanks;
 
 /// Reads and solves designs. Called on background threads only, never before the first frame.
 pub trait Backend: Send + Sync {
@@ -66,6 +68,16 @@ pub trait Backend: Send + Sync {
     fn export(&self, path: &Path, document: &Document) -> Result<PathBuf, String> {
         let _ = (path, document);
         Err(READ_ONLY.into())
+    }
+
+    /// The flanks of a table of averaged mesh numbers.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none: in words, with the line that is wrong and what is allowed there.
+    fn mesh_table(&self, path: &Path) -> Result<Vec<AveragedMesh>, String> {
+        let text = self.read(path)?;
+        read_flanks(&text)
     }
 
     /// As [`export`](Self::export), of a design: its spectra as data, their picture, or the whole report. `text` is what counts in place of the file.

@@ -55,6 +55,7 @@ impl App {
             Mode::Modes => self.modes.as_ref().and_then(|view| view.as_text()),
             Mode::Overview => Some(self.overview_text()),
             Mode::Bearings => self.bearings_text(),
+            Mode::Pair => self.pair_text(),
             Mode::Table | Mode::Matrix | Mode::Choice | Mode::Findings => self.editors.open().and_then(in_tables),
             _ => match &self.detail.outcome {
                 Some(Outcome::Solved { summary, .. }) => {

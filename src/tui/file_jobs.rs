@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::backend::{Backend, NotSaved};
 use super::export::Export;
 use super::message::Message;
-use super::solving::guarded;
+use super::solving::{Ticket, guarded};
 use crate::design::library::VariantName;
 
 /// A text to be read or written.
@@ -31,6 +31,11 @@ pub enum FileJob {
     },
     /// What earlier runs have left.
     Left,
+    /// A table of averaged mesh numbers.
+    MeshTable {
+        ticket: Ticket,
+        path: PathBuf,
+    },
     /// To be written to a new file.
     Export(Box<Export>),
     SaveVariant {
@@ -55,6 +60,10 @@ pub fn perform_file(job: FileJob, backend: &dyn Backend) -> Option<Message> {
         }
         FileJob::Export(export) => {
             Message::Exported(guarded(|| export.write(backend)).unwrap_or_else(|panic| Err(failed(panic))))
+        }
+        FileJob::MeshTable { ticket, path } => {
+            let result = guarded(|| backend.mesh_table(&path)).unwrap_or_else(|panic| Err(failed(panic)));
+            Message::MeshTable { ticket, result }
         }
         FileJob::Left => Message::Left(guarded(|| backend.left()).unwrap_or_default()),
         FileJob::Open { path } => {

@@ -55,6 +55,8 @@ const EXPLORER: &[Mode] = &[
     Mode::Modes,
     Mode::Bearings,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Confirm,
     Mode::Leave,
     Mode::Recovery,
@@ -71,6 +73,8 @@ const EDITOR: &[Mode] = &[
     Mode::Findings,
     Mode::Spectra,
     Mode::Why,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Leave,
     Mode::Recovery,
     Mode::Conflict,
@@ -78,10 +82,28 @@ const EDITOR: &[Mode] = &[
     Mode::Help,
 ];
 /// Where letters are text.
-const TYPED_IN_EXPLORER: &[Mode] =
-    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Torque, Mode::HelpSearch];
-const TYPED_IN_EDITOR: &[Mode] =
-    &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::Torque, Mode::HelpSearch];
+const TYPED_IN_EXPLORER: &[Mode] = &[
+    Mode::Filter,
+    Mode::Palette,
+    Mode::Name,
+    Mode::Export,
+    Mode::Frequency,
+    Mode::Torque,
+    Mode::FaceWidth,
+    Mode::MeshFile,
+    Mode::HelpSearch,
+];
+const TYPED_IN_EDITOR: &[Mode] = &[
+    Mode::Cell,
+    Mode::Form,
+    Mode::Export,
+    Mode::Palette,
+    Mode::Frequency,
+    Mode::Torque,
+    Mode::FaceWidth,
+    Mode::MeshFile,
+    Mode::HelpSearch,
+];
 
 impl App {
     pub(super) fn open_help(&mut self) {

@@ -45,6 +45,7 @@ impl App {
             return effects;
         }
         let in_screen = self.act_in_editor(action).or_else(|| self.act_in_modes(action));
+        let in_screen = in_screen.or_else(|| self.act_in_pair(action));
         in_screen.or_else(|| self.act_in_overview(action)).unwrap_or_else(|| self.act(action))
     }
 
@@ -76,7 +77,7 @@ impl App {
             Action::OtherModel | Action::ShowMac | Action::Deflection | Action::TypeFrequency => {
                 self.modes.as_ref().is_some_and(|view| view.study().is_some())
             }
-            Action::Modes if self.editors.open().is_none() => selected.is_some(),
+            Action::Modes | Action::GearPair if self.editors.open().is_none() => selected.is_some(),
             Action::MoveLeft | Action::MoveRight if self.mode == Mode::Modes => {
                 self.modes.as_ref().is_some_and(|view| view.mac.is_some() || view.deflection_hz.is_some())
             }
@@ -97,6 +98,9 @@ impl App {
             }
             // everyone knows, and there is much to say
             Action::MoveUp | Action::MoveDown if self.mode == Mode::Table => false,
+            Action::Undo | Action::Redo | Action::Save | Action::FlipFlank if self.mode == Mode::Pair => {
+                self.editors.open().is_some_and(|editing| applies_in_editor(editing, action))
+            }
             _ if !self.below.is_empty() => true,
             _ => self.editors.open().is_none_or(|editing| applies_in_editor(editing, action)),
         }
@@ -126,6 +130,7 @@ fn applies_in_editor(editing: &Editing, action: Action) -> bool {
             target.is_some_and(|cell| cell.shown.is_written() && !cell.required)
         }
         Action::Tick => matches!(&editing.layer, Some(Layer::Choice(choice)) if choice.ticked.is_some()),
+        Action::FlipFlank => editing.last_design.as_ref().is_some_and(|design| design.mesh.geometry.is_some()),
         Action::NextCell => !editing.view.is_turned(),
         _ => true,
     }

@@ -14,6 +14,7 @@ use super::recovery::{Kept, Look};
 use super::solving::{EditedJob, Job, Solved, Ticket};
 use super::spectra::{Part, SpectraJob};
 use crate::design::library::Left;
+use crate::gear::AveragedMesh;
 
 /// Everything that can change the state comes as one of these.
 #[derive(Debug)]
@@ -91,6 +92,11 @@ pub enum Message {
     },
     /// What was shown was written, or why not.
     Exported(Result<PathBuf, String>),
+    /// A table of averaged mesh numbers was read, or why not.
+    MeshTable {
+        ticket: Ticket,
+        result: Result<Vec<AveragedMesh>, String>,
+    },
     /// Modes or a deflection shape were computed, or why not.
     ModesFound {
         ticket: Ticket,

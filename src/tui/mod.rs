@@ -49,6 +49,7 @@ pub mod notice;
 pub mod overlays;
 pub mod overview;
 pub mod painter;
+pub mod pair;
 pub mod palette;
 mod pen;
 mod record;

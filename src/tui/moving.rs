@@ -12,6 +12,7 @@ impl App {
             Mode::Modes => self.modes.as_ref().map_or(1, |view| view.page()),
             Mode::Overview => self.overview.page(),
             Mode::Bearings => self.bearings.as_ref().map_or(1, |view| view.scroll.page()),
+            Mode::Pair | Mode::MeshImport => self.pair.as_ref().map_or(1, |view| view.page()),
             Mode::Filter if self.below.contains(&Mode::Overview) => self.overview.page(),
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
@@ -32,6 +33,7 @@ impl App {
             Mode::Filter if self.below.contains(&Mode::Overview) => self.move_in_overview(by),
             Mode::Modes => self.move_in_modes(by),
             Mode::Bearings => self.move_in_bearings(by),
+            Mode::Pair | Mode::MeshImport => self.pair.iter_mut().for_each(|view| view.move_by(by)),
             Mode::Library | Mode::Filter => {
                 self.library.move_by(by);
                 return self.follow_selection();

@@ -64,6 +64,8 @@ fn line(message: &Message) -> Option<String> {
             Ok(differences) => format!("compared two designs: {} differences", differences.len()),
             Err(error) => format!("cannot compare two designs: {error}"),
         },
+        Message::MeshTable { result: Ok(_), .. } => "read a table of mesh numbers".into(),
+        Message::MeshTable { result: Err(error), .. } => format!("cannot read a table of mesh numbers: {error}"),
         Message::Exported(Ok(path)) => format!("wrote {}", path.display()),
         Message::Exported(Err(error)) => format!("cannot write: {error}"),
         Message::ModesFound { result: Ok(_), .. } => "computed modes or a deflection shape".into(),

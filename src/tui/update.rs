@@ -67,7 +67,15 @@ impl App {
                 self.solved(ticket, &path, result);
                 Vec::new()
             }
-            Message::Opened { path, result } => self.opened(path, result),
+            Message::Opened { path, result } => {
+                let effects = self.opened(path, result);
+                self.show_awaited_pair();
+                effects
+            }
+            Message::MeshTable { ticket, result } => {
+                self.mesh_table_came(ticket, result);
+                Vec::new()
+            }
             Message::Progress { ticket, done } => {
                 self.progress(ticket, done);
                 Vec::new()
@@ -196,6 +204,8 @@ impl App {
             Mode::Export => self.edit_export(edit),
             Mode::Frequency => self.edit_frequency(edit),
             Mode::Torque => self.edit_torque_field(edit),
+            Mode::FaceWidth => self.edit_face_width(edit),
+            Mode::MeshFile => self.edit_mesh_file(edit),
             _ => {}
         }
         Vec::new()

@@ -6,7 +6,9 @@ use ratatui::buffer::Buffer;
 use super::app::App;
 use super::keymap::{Mode, SCREENS};
 use super::overlays;
-use super::screens::{bearings, body, compare, editor, explorer, fits, modes, overview, render_too_small, spectra};
+use super::screens::{
+    bearings, body, compare, editor, explorer, fits, modes, overview, pair, render_too_small, spectra,
+};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
@@ -27,6 +29,7 @@ fn render(app: &mut App, frame: &mut Frame) {
         Some(Mode::Spectra) => spectra::render(app, frame),
         Some(Mode::Modes) => modes::render(app, frame),
         Some(Mode::Bearings) => bearings::render(app, frame),
+        Some(Mode::Pair) => pair::render(app, frame),
         Some(Mode::Overview) => overview::render(app, frame),
         _ if app.editors.open().is_some() => editor::render(app, frame),
         _ => explorer::render(app, frame),

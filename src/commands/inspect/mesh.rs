@@ -2,10 +2,12 @@
 
 use std::io::{self, Write};
 
-use crate::design::{Design, MeshVectors, Side};
+use crate::design::Design;
+use crate::gear::Force;
 use crate::number::significant;
+use crate::pair::{Arms, PairFigures, ShaftFigures};
 use crate::report::Table;
-use crate::rotor::{mesh_vector, signed};
+use crate::text::wrap;
 
 #[derive(serde::Serialize)]
 pub struct MeshOutput {
@@ -17,9 +19,17 @@ pub struct MeshOutput {
     /// Shortest distance of the axes; only where the design has gear data
     #[serde(skip_serializing_if = "Option::is_none")]
     offset_mm: Option<f64>,
+    /// Arm of the gear over that of the pinion, and the teeth; only with the teeth of both
+    #[serde(flatten)]
+    arms: Option<ArmsOutput>,
     /// Only with a torque
     #[serde(skip_serializing_if = "Option::is_none")]
     normal_force_n: Option<f64>,
+    /// Only without one: the forces under 1 N m
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at_1_n_m: Option<UnitOutput>,
+    /// Which way the teeth push both shafts
+    thrust: String,
     /// Only with a speed and the pinion's teeth
     #[serde(skip_serializing_if = "Option::is_none")]
     mesh_frequency_hz: Option<f64>,
@@ -37,7 +47,7 @@ struct SideOutput {
 
 /// On this shaft at the mesh point.
 #[expect(clippy::struct_field_names, reason = "the names are keys, which carry their unit")]
-#[derive(serde::Serialize)]
+#[derive(Clone, Copy, serde::Serialize)]
 struct ForceOutput {
     /// Along y
     axial_n: f64,
@@ -47,29 +57,46 @@ struct ForceOutput {
     tangential_n: f64,
 }
 
+#[derive(serde::Serialize)]
+struct ArmsOutput {
+    torque_arm_ratio: f64,
+    tooth_ratio: f64,
+    torque_arm_deviation_percent: f64,
+    #[serde(skip)]
+    deviation: String,
+}
+
+#[derive(serde::Serialize)]
+struct UnitOutput {
+    normal_force_n: f64,
+    pinion: ForceOutput,
+    gear: ForceOutput,
+}
+
 impl MeshOutput {
     pub fn new(design: &Design) -> Self {
-        let torque = design.operating.and_then(|operating| operating.pinion_torque);
-        let arm = mesh_vector(&design.mesh.pinion)[4];
-        let normal_force = torque.map(|torque| (torque / arm).abs()).filter(|force| force.is_finite());
-        let side = |side: Side| {
-            let vectors = design.mesh.vectors(side);
-            SideOutput {
-                point_mm: vectors.point.map(|value| value * 1e3),
-                line_of_action: vectors.line_of_action,
-                torque_arm_mm: mesh_vector(vectors)[4] * 1e3,
-                force: normal_force.map(|force| ForceOutput::new(vectors, -signed(side) * force)),
-            }
+        let figures = PairFigures::new(design);
+        let force = |shaft: &ShaftFigures| shaft.force.map(ForceOutput::from);
+        let side = |shaft: &ShaftFigures| SideOutput {
+            point_mm: shaft.vectors.point.map(|value| value * 1e3),
+            line_of_action: shaft.vectors.line_of_action,
+            torque_arm_mm: shaft.torque_arm * 1e3,
+            force: force(shaft).filter(|_| figures.torque.is_some()),
         };
-        let pair = design.mesh.geometry.map(|geometry| geometry.pair());
-        let speed = design.operating.and_then(|operating| operating.pinion_speed).zip(design.pinion.teeth);
+        let under_1_n_m = || {
+            let (pinion, gear) = force(&figures.pinion).zip(force(&figures.gear))?;
+            Some(UnitOutput { normal_force_n: figures.normal_force?, pinion, gear })
+        };
         Self {
-            pinion: side(Side::Pinion),
-            gear: side(Side::Gear),
-            shaft_angle_deg: pair.map(|pair| pair.shaft_angle.to_degrees()),
-            offset_mm: pair.map(|pair| pair.offset * 1e3),
-            normal_force_n: normal_force,
-            mesh_frequency_hz: speed.map(|(speed, teeth)| speed * f64::from(teeth) / std::f64::consts::TAU),
+            pinion: side(&figures.pinion),
+            gear: side(&figures.gear),
+            shaft_angle_deg: figures.pair.map(|pair| pair.shaft_angle.to_degrees()),
+            offset_mm: figures.pair.map(|pair| pair.offset * 1e3),
+            arms: figures.arms.map(ArmsOutput::from),
+            normal_force_n: figures.normal_force.filter(|_| figures.torque.is_some()),
+            at_1_n_m: if figures.torque.is_none() { under_1_n_m() } else { None },
+            thrust: figures.thrust(),
+            mesh_frequency_hz: figures.mesh_frequency,
         }
     }
 
@@ -77,7 +104,11 @@ impl MeshOutput {
         writeln!(out, "\nMESH")?;
         let mut table = Table::new(["  ", "point x, y, z, mm", "line of action", "torque arm, mm"]);
         let mut forces = Table::new(["  ", "axial, N", "radial, N", "tangential, N"]);
-        for (name, side) in [("  pinion", &self.pinion), ("  gear", &self.gear)] {
+        let unit = self.at_1_n_m.as_ref();
+        for (name, side, unit) in [
+            ("  pinion", &self.pinion, unit.map(|unit| unit.pinion)),
+            ("  gear", &self.gear, unit.map(|unit| unit.gear)),
+        ] {
             let three = |values: [f64; 3]| values.map(|value| significant(value, 5)).join("  ");
             table.row([
                 name.into(),
@@ -85,22 +116,31 @@ impl MeshOutput {
                 three(side.line_of_action),
                 significant(side.torque_arm_mm, 5),
             ]);
-            if let Some(force) = &side.force {
+            if let Some(force) = side.force.or(unit) {
                 let values = [force.axial_n, force.radial_n, force.tangential_n].map(|value| significant(value, 5));
                 forces.row(std::iter::once(name.into()).chain(values));
             }
         }
         write!(out, "{table}")?;
-        if let Some(force) = self.normal_force_n {
+        let normal =
+            self.normal_force_n.map(|force| (force, "")).or(unit.map(|unit| (unit.normal_force_n, " under 1 N m")));
+        if let Some((force, when)) = normal {
             writeln!(
                 out,
-                "mean normal force {} N; on each shaft: axial along y, radial towards its axis, tangential",
+                "mean normal force {} N{when}; on each shaft:\naxial along y, radial towards its axis, tangential",
                 significant(force, 6)
             )?;
             write!(out, "{forces}")?;
         }
+        for line in wrap(&self.thrust, 79) {
+            writeln!(out, "{line}")?;
+        }
         if let Some((angle, offset)) = self.shaft_angle_deg.zip(self.offset_mm) {
             writeln!(out, "shaft angle {} deg, offset {} mm", significant(angle, 6), significant(offset, 5))?;
+        }
+        if let Some(arms) = &self.arms {
+            let [ratio, teeth] = [arms.torque_arm_ratio, arms.tooth_ratio].map(|ratio| significant(ratio, 5));
+            writeln!(out, "torque arms {ratio} to 1, teeth {teeth} to 1: {}", arms.deviation)?;
         }
         if let Some(frequency) = self.mesh_frequency_hz {
             writeln!(out, "mesh frequency {} Hz", significant(frequency, 5))?;
@@ -109,10 +149,19 @@ impl MeshOutput {
     }
 }
 
-impl ForceOutput {
-    fn new(vectors: &MeshVectors, along: f64) -> Self {
-        let ([x, _, z], [fx, fy, fz]) = (vectors.point, vectors.line_of_action.map(|component| component * along));
-        let radius = x.hypot(z);
-        Self { axial_n: fy, radial_n: -(x * fx + z * fz) / radius, tangential_n: (z * fx - x * fz) / radius }
+impl From<Arms> for ArmsOutput {
+    fn from(arms: Arms) -> Self {
+        Self {
+            torque_arm_ratio: arms.ratio,
+            tooth_ratio: arms.tooth_ratio(),
+            torque_arm_deviation_percent: arms.deviation_percent,
+            deviation: arms.deviation(),
+        }
+    }
+}
+
+impl From<Force> for ForceOutput {
+    fn from(force: Force) -> Self {
+        Self { axial_n: force.axial, radial_n: force.radial, tangential_n: force.tangential }
     }
 }

@@ -4,6 +4,7 @@ use super::Checker;
 use crate::design::geometry::{MeshGeometry, PairKind};
 use crate::design::key_path::KeyPath;
 use crate::design::model::Design;
+use crate::gear::THRUST_INTO_MESH;
 use crate::number::significant;
 
 /// Checks the gear data and puts the mesh vectors that follow from them into the design.
@@ -12,8 +13,8 @@ pub(super) fn check(design: &mut Design, path: &KeyPath, checker: &Checker<'_>) 
     keys(&geometry, path, checker);
     for (side, teeth) in [("pinion", design.pinion.teeth), ("gear", design.gear.teeth)] {
         if teeth.is_none() {
-            let message = format!("needs the number of teeth of the {side}");
-            checker.error(path, message, Some(&format!("write teeth in [{side}]")));
+            let teeth = KeyPath::root().key(side).key("teeth");
+            checker.error(&teeth, "is missing: gear data need the number of teeth", None);
         }
     }
     contradictions(&geometry, path, checker);
@@ -41,7 +42,7 @@ fn keys(geometry: &MeshGeometry, path: &KeyPath, checker: &Checker<'_>) {
     ] {
         let kind = geometry.kind.word();
         match (written, wanted) {
-            (false, true) => checker.error(path, format!("`{key}` is missing: a {kind} pair needs it"), None),
+            (false, true) => checker.error(&path.key(key), format!("is missing: a {kind} pair needs it"), None),
             (true, false) => checker.error(&path.key(key), format!("does not belong to a {kind} pair"), None),
             _ => {}
         }
@@ -77,8 +78,7 @@ fn contradictions(geometry: &MeshGeometry, path: &KeyPath, checker: &Checker<'_>
     let pair = geometry.pair();
     // of either sign, so that not-a-number warns of nothing
     if !geometry.kind.is_parallel() && pair.forces(1.0)[0].axial < 0.0 {
-        let message =
-            "thrust pulls the pinion into mesh on this flank: it closes the backlash where a bearing gives way";
+        let message = format!("{THRUST_INTO_MESH}: it closes the backlash where a bearing gives way");
         checker.warn(
             &path.key("hand"),
             message,

@@ -104,9 +104,16 @@ impl Editor {
         &self.reading
     }
 
-    /// A table of the design, with the findings of [`reading`](Self::reading) beside the cells.
+    /// A table of the design, with the findings of [`reading`](Self::reading) beside the cells, and mesh vectors that follow from gear data.
     pub fn grid(&self, sheet: &Sheet) -> Grid {
-        Grid::new(self.text(), &self.reading.findings, sheet)
+        let mut grid = Grid::new(self.text(), &self.reading.findings, sheet);
+        grid.derive(self.text(), self.reading.design.as_ref());
+        grid
+    }
+
+    /// Whether the text has that key or table.
+    pub fn is_written(&self, path: &KeyPath) -> bool {
+        self.document.tree().at(path).is_some()
     }
 
     /// What people call the values at some paths: `outer diameter of pinion segment 3`.

@@ -54,6 +54,8 @@ pub enum Edit {
     RenameMaterial { from: String, to: String },
     /// Takes a material out. Segments that name it keep the name, and findings say so.
     RemoveMaterial { name: String },
+    /// Several edits as one, called by what they are for.
+    Several { edits: Vec<Edit>, name: EditName },
     /// Takes over a whole text, e.g. that of the file after someone else changed it.
     ReplaceText { text: String, name: EditName },
 }

@@ -37,7 +37,7 @@ impl EditName {
             Edit::AddMaterial { name } => format!("add material {name}"),
             Edit::RenameMaterial { from, to } => format!("rename material {from} to {to}"),
             Edit::RemoveMaterial { name } => format!("remove material {name}"),
-            Edit::ReplaceText { name, .. } => return name.clone(),
+            Edit::ReplaceText { name, .. } | Edit::Several { name, .. } => return name.clone(),
         })
     }
 

@@ -30,6 +30,8 @@ impl Steps {
             Edit::AddMaterial { name } => material::add(self, name),
             Edit::RenameMaterial { from, to } => material::rename(self, from, to),
             Edit::RemoveMaterial { name } => material::remove(self, name),
+            // the last one says where to look
+            Edit::Several { edits, .. } => edits.iter().try_fold(KeyPath::root(), |_, edit| self.make(edit)),
             Edit::ReplaceText { text, .. } => {
                 let change = self.document.replace(text)?;
                 self.changes.extend(change);

@@ -38,6 +38,8 @@ pub enum Shown {
     Written(String),
     /// Not written; this holds.
     Default(String),
+    /// Not to be written: it follows from other values.
+    Derived(String),
     /// Not written, and there is no value.
     Nothing,
 }
@@ -100,9 +102,13 @@ impl Shown {
     /// The text without the mark.
     pub fn text(&self) -> &str {
         match self {
-            Self::Written(text) | Self::Default(text) => text,
+            Self::Written(text) | Self::Default(text) | Self::Derived(text) => text,
             Self::Nothing => "",
         }
+    }
+
+    pub fn is_derived(&self) -> bool {
+        matches!(self, Self::Derived(_))
     }
 
     pub fn is_written(&self) -> bool {

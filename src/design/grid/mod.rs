@@ -1,6 +1,7 @@
 //! Designs as tables of cells, made from the schema: what a person sees and edits.
 
 mod cell;
+mod derived;
 mod findings;
 mod make;
 mod sheet;

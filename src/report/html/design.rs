@@ -110,7 +110,7 @@ fn shown(cell: &grid::Cell) -> Cell {
     let content = if is_number(cell) { Cell::number(text) } else { Cell::name(text) };
     match cell.shown {
         Shown::Written(_) => content,
-        Shown::Default(_) => content.default(),
+        Shown::Default(_) | Shown::Derived(_) => content.default(),
         Shown::Nothing => Cell::none(),
     }
 }

@@ -363,6 +363,7 @@ pub fn shown_text(shown: &Shown) -> String {
         Shown::Written(text) => printable(text).into_owned(),
         Shown::Default(text) if text.is_empty() => "()".into(),
         Shown::Default(text) => format!("({})", printable(text)),
+        Shown::Derived(text) => format!("= {text}"),
         Shown::Nothing => "-".into(),
     }
 }

@@ -28,7 +28,7 @@ pub use cursor::Cursor;
 pub use editing::{Editing, Layer, List, Notice, shown_text};
 pub use form::Form;
 pub use solving::{Ghost, Pending, Solution, Solving, same_mechanics};
-pub use typing::{Choice, Entry, Input, Target};
+pub use typing::{Choice, Entry, FROM_GEOMETRY, Input, Target};
 pub use view::{Place, Tab, View, ViewColumn, ViewRow};
 
 /// The designs that are being edited.

@@ -13,7 +13,7 @@ use crate::tui::recovery::FileState;
 
 impl App {
     /// Saves one design, or the one in sight.
-    pub(super) fn save(&mut self, path: Option<&Path>) -> Vec<Effect> {
+    pub(in crate::tui) fn save(&mut self, path: Option<&Path>) -> Vec<Effect> {
         let editing = match path {
             Some(path) => self.editors.get_mut(path),
             None => self.editors.open_mut(),

@@ -9,6 +9,9 @@ use crate::text::printable;
 use crate::tui::text_field::TextField;
 use crate::units::Quantity;
 
+/// Said of a value that is shown and not written.
+pub const FROM_GEOMETRY: &str = "From the gear data in [mesh.geometry]: change those, further down.";
+
 /// A value while it is typed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
@@ -67,6 +70,9 @@ pub struct Choice {
 impl Editing {
     /// Opens what the cell under the cursor is edited with; `replace` drops its value.
     pub fn edit_cell(&mut self, replace: bool) {
+        if self.is_derived() {
+            return self.say(FROM_GEOMETRY);
+        }
         let cursor = self.cursor();
         if matches!(self.layer, Some(Layer::Matrix(_))) {
             if let Some(cell) = self.entry() {
@@ -97,6 +103,11 @@ impl Editing {
             }
             None => self.say(if self.view.rows.is_empty() { "no row yet" } else { "nothing to edit here" }),
         }
+    }
+
+    /// Whether the value under the cursor is shown and not to be written.
+    fn is_derived(&self) -> bool {
+        self.target().is_some_and(|cell| cell.shown.is_derived())
     }
 
     /// Begins to type in place of the value, if it is a number.
@@ -193,6 +204,9 @@ impl Editing {
     }
 
     pub fn clear_cell(&mut self) {
+        if self.is_derived() {
+            return self.say(FROM_GEOMETRY);
+        }
         let Some(cell) = self.target() else { return };
         if cell.required && !matches!(cell.kind, CellKind::MatrixEntry(..)) {
             return self.warn(format!("{} must be there", printable(&cell.column.label)));

@@ -189,6 +189,7 @@ impl App {
             Action::Help
             | Action::Modes
             | Action::Overview
+            | Action::GearPair
             | Action::Palette
             | Action::Messages
             | Action::Quit

@@ -8,9 +8,9 @@ use ratatui::crossterm::event::KeyCode;
 pub use self::mode::Mode;
 pub use self::places::SCREENS;
 use self::places::{
-    ALL, ANSWERED, BEARINGS, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM,
-    HELP, LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SPECTRA, TABLE,
-    TYPING, VARIANTS, VIEWS, WRITTEN,
+    ALL, ANSWERED, BEARINGS, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FLANKS,
+    FORM, HELP, LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PAIR, PAIR_FORMS, PANES, PICTURES, RECOVERY,
+    ROWS, SPECTRA, TABLE, TYPING, VARIANTS, VIEWS, WRITTEN,
 };
 use super::action::Action;
 
@@ -238,6 +238,18 @@ pub const BINDINGS: &[Binding] = &[
     letter(BEARINGS, 'L', Action::ToggleLive),
     letter(BEARINGS, 'X', Action::CancelSolve),
     letter(BEARINGS, '!', Action::Messages),
+    letter(OPENED, 'P', Action::GearPair),
+    letter(PAIR, 'P', Action::Back),
+    letter(PAIR, 'f', Action::FlipFlank),
+    letter(PAIR, 'K', Action::EstimateStiffness),
+    letter(PAIR, 'I', Action::ImportMesh),
+    letter(PAIR, 'u', Action::Undo),
+    control(PAIR, 'r', Action::Redo),
+    letter(PAIR, 's', Action::Save),
+    letter(PAIR, '!', Action::Messages),
+    key(&[Mode::FaceWidth], KeyCode::Tab, Action::OtherValue),
+    key(FLANKS, KeyCode::Tab, Action::OtherFlank),
+    key(PAIR_FORMS, KeyCode::Enter, Action::Accept),
     letter(BROWSING, 'q', Action::Quit),
     control(ALL, 'c', Action::Quit),
 ];

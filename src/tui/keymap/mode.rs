@@ -64,6 +64,14 @@ modes! {
     Bearings, "bearings", "In the bearings under load";
     /// The torque is being typed.
     Torque, "torque", "While a torque is typed";
+    /// The gear pair of a design.
+    Pair, "gear-pair", "In the gear pair";
+    /// The face width for an estimate is being typed.
+    FaceWidth, "face-width", "While a face width is typed";
+    /// The file with mesh numbers is being named.
+    MeshFile, "mesh-file", "While a table of mesh numbers is named";
+    /// What a table of mesh numbers would change.
+    MeshImport, "mesh-import", "When shown what an import changes";
     /// The tables of a design.
     Table, "table", "In the tables";
     /// A cell is being typed into.

@@ -13,6 +13,8 @@ pub const LISTS: &[Mode] = &[
     Mode::Modes,
     Mode::Bearings,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Choice,
     Mode::Findings,
     Mode::Recovery,
@@ -30,6 +32,8 @@ pub const ROWS: &[Mode] = &[
     Mode::Modes,
     Mode::Bearings,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -52,6 +56,8 @@ pub const MOVING: &[Mode] = &[
     Mode::Modes,
     Mode::Bearings,
     Mode::Overview,
+    Mode::Pair,
+    Mode::MeshImport,
     Mode::Choice,
     Mode::Findings,
     Mode::Table,
@@ -61,6 +67,9 @@ pub const MOVING: &[Mode] = &[
 ];
 pub const PANES: &[Mode] = &[Mode::Library, Mode::Text];
 pub const LIBRARY: &[Mode] = &[Mode::Library];
+pub const PAIR: &[Mode] = &[Mode::Pair];
+pub const PAIR_FORMS: &[Mode] = &[Mode::FaceWidth, Mode::MeshFile, Mode::MeshImport];
+pub const FLANKS: &[Mode] = &[Mode::MeshFile, Mode::MeshImport];
 pub const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
 /// Where there are columns to move in.
 pub const COLUMNS: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Spectra];
@@ -78,6 +87,8 @@ pub const TYPING: &[Mode] = &[
     Mode::Export,
     Mode::Frequency,
     Mode::Torque,
+    Mode::FaceWidth,
+    Mode::MeshFile,
     Mode::Cell,
     Mode::Form,
 ];
@@ -86,10 +97,19 @@ pub const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 pub const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
 pub const MATCHED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help, Mode::Overview];
 /// What lies over the explorer and is closed.
-pub const VIEWS: &[Mode] =
-    &[Mode::Help, Mode::Messages, Mode::Compare, Mode::Spectra, Mode::Why, Mode::Modes, Mode::Bearings, Mode::Overview];
+pub const VIEWS: &[Mode] = &[
+    Mode::Help,
+    Mode::Messages,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Why,
+    Mode::Modes,
+    Mode::Bearings,
+    Mode::Overview,
+    Mode::Pair,
+];
 /// Those that are whole screens.
-pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Bearings, Mode::Overview];
+pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Bearings, Mode::Overview, Mode::Pair];
 /// Those that can be written to a file with a key.
 pub const WRITTEN: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
 pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Torque, Mode::Confirm];
@@ -106,6 +126,7 @@ pub const COMMANDS: &[Mode] = &[
     Mode::Modes,
     Mode::Bearings,
     Mode::Overview,
+    Mode::Pair,
     Mode::Table,
     Mode::Matrix,
     Mode::Findings,
@@ -120,6 +141,7 @@ pub const PICTURES: &[Mode] = &[
     Mode::Spectra,
     Mode::Modes,
     Mode::Bearings,
+    Mode::Pair,
     Mode::Table,
     Mode::Matrix,
     Mode::Choice,

@@ -6,6 +6,7 @@ pub mod export;
 pub mod form;
 pub mod help;
 pub mod messages;
+pub mod pair;
 pub mod palette;
 pub mod recovery;
 pub mod spectra;
@@ -36,6 +37,9 @@ pub fn render(app: &mut App, area: Rect, buffer: &mut Buffer) -> Option<Position
             Mode::Messages => messages::render(app, area, buffer),
             Mode::Why => spectra::render_why(app, area, buffer),
             Mode::Export => cursor = export::render(app, area, buffer),
+            Mode::FaceWidth => cursor = pair::render_estimate(app, area, buffer),
+            Mode::MeshFile => cursor = pair::render_file(app, area, buffer),
+            Mode::MeshImport => pair::render_import(app, area, buffer),
             Mode::Leave => leave::render(app, area, buffer),
             Mode::Recovery => recovery::render(app, area, buffer),
             Mode::Conflict => conflict::render(app, area, buffer),

@@ -6,6 +6,7 @@ pub mod editor;
 pub mod explorer;
 pub mod modes;
 pub mod overview;
+pub mod pair;
 pub mod spectra;
 
 use ratatui::buffer::Buffer;

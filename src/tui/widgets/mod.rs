@@ -23,6 +23,8 @@ pub mod matrix;
 pub mod mode_shape;
 pub mod mode_table;
 pub mod outline_plot;
+pub mod pair_numbers;
+pub mod pair_picture;
 pub mod panel;
 pub mod plot;
 pub mod shape_numbers;

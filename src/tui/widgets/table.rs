@@ -338,7 +338,8 @@ fn render_turned(editing: &mut Editing, theme: &Theme, area: Rect, buffer: &mut 
             Rect { x: area.x + 2 + label as u16, y, width: (value + AROUND) as u16, height: 1 }.intersection(area);
         draw_cell(editing, (row, 0), false, selected, theme, place, buffer);
         let rest = usize::from(area.right().saturating_sub(place.right()));
-        let doc = format!("{:<unit$}  {}", cell.column.unit, cell.column.doc);
+        let doc = if cell.shown.is_derived() { "from the gear data" } else { cell.column.doc };
+        let doc = format!("{:<unit$}  {doc}", cell.column.unit);
         buffer.set_stringn(place.right(), y, cut(&doc, rest, theme.glyphs.ellipsis), rest, theme.faint);
         if selected {
             drawn.cell = Some(place);

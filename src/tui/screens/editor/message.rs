@@ -9,7 +9,7 @@ use crate::design::grid::{Cell, CellKind, Shown};
 use crate::number::grouped;
 use crate::text::{cut, printable};
 use crate::tui::action::Action;
-use crate::tui::editor::{Editing, Place};
+use crate::tui::editor::{Editing, FROM_GEOMETRY, Place};
 use crate::tui::keys::KeyNames;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::table;
@@ -132,10 +132,13 @@ fn about_cell(cell: &Cell, keys: &KeyNames<'_>) -> String {
         CellKind::Choice(_) | CellKind::Flags(_) | CellKind::Model(_) => cell.kind.words().join(", "),
     };
     let clears = format!(" ({} clears)", keys.of(Action::ClearCell));
+    if cell.shown.is_derived() {
+        return FROM_GEOMETRY.into();
+    }
     let presence = match (&cell.shown, cell.required) {
         (_, true) => "",
         (Shown::Default(_), false) => " Not written: the default holds.",
-        (Shown::Nothing, false) => " Not written.",
+        (Shown::Nothing | Shown::Derived(_), false) => " Not written.",
         (Shown::Written(_), false) => &clears,
     };
     let wanted = if wanted.is_empty() { wanted } else { format!("[{wanted}] ") };
