@@ -61,7 +61,7 @@ fn every_kind_and_mounting_solves_with_nothing_else_said() {
 fn every_bearing_of_the_list_carries_a_shaft() {
     for bearing in TypicalBearing::all() {
         let name = bearing.name();
-        let torque = format!("{}", 3e7 * bearing.bore.powi(3));
+        let torque = format!("{}", 5.5e6 * bearing.bore.powi(3));
         let asked = [
             (Field::PinionTorque, torque.as_str()),
             (Field::PinionB1, &name),
@@ -82,9 +82,9 @@ fn answer(field: Field, proposal: &Proposal, pick: f64) -> Option<String> {
             let names: Vec<String> = TypicalBearing::all().map(|bearing| bearing.name()).collect();
             names[(pick * names.len() as f64) as usize].clone()
         }
-        Answer::Whole(low, _) => {
+        Answer::Whole(low, high) => {
             let Some(Value::Number(teeth)) = proposal.answers().remove(&field) else { return None };
-            format!("{:.0}", (teeth * 3.0_f64.powf(2.0 * pick - 1.0)).max(f64::from(low)))
+            format!("{:.0}", (teeth * 3.0_f64.powf(2.0 * pick - 1.0)).clamp(f64::from(low), f64::from(high)))
         }
         Answer::Number(quantity, low, high) => {
             let Some(Value::Number(value)) = proposal.answers().remove(&field) else { return None };

@@ -141,7 +141,8 @@ fn bearings(wishes: &Wishes, pair: &Pair, at: usize, mounting: Mounting) -> Resu
         })?,
     };
     let chosen = [front, rear];
-    for place in [0, 1] {
+    // what follows from the other is blamed last
+    for place in [1, 0] {
         let (bearing, field) = (chosen[place], fields[place]);
         let bore = bearing.bore * 1e3;
         if carries[place] && bearing.bore < shaft_diameter(torque, STRESS_LIMIT) {
