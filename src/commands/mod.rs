@@ -57,7 +57,7 @@ enum Command {
     /// Where two designs differ, and how the models of both agree
     Compare(compare::Args),
     /// A new design from a few wishes: a complete commented file that solves at once
-    New(new::Args),
+    New(Box<new::Args>),
     /// Estimate a mean mesh stiffness from the effective face width (ISO 10300-1, method B)
     MeshStiffness(mesh_stiffness::Args),
     ImportMesh(import_mesh::Args),

@@ -17,6 +17,7 @@ use super::keys::Keys;
 use super::library::{Library, RowState};
 use super::message::Effect;
 use super::modes::ModesView;
+use super::new_design::NewDesign;
 use super::notice::{Messages, Notice};
 use super::overview::Overview;
 use super::palette::Palette;
@@ -54,6 +55,7 @@ pub struct App {
     pub spectra: Option<SpectraView>,
     pub modes: Option<Box<ModesView>>,
     pub overview: Overview,
+    pub new_design: NewDesign,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -180,6 +182,7 @@ impl App {
             spectra: None,
             modes: None,
             overview: Overview::default(),
+            new_design: NewDesign::default(),
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

@@ -11,6 +11,7 @@ impl App {
         match self.mode {
             Mode::Modes => self.modes.as_ref().map_or(1, |view| view.page()),
             Mode::Overview => self.overview.page(),
+            Mode::New => self.new_design.scroll.page(),
             Mode::Filter if self.below.contains(&Mode::Overview) => self.overview.page(),
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
@@ -30,6 +31,7 @@ impl App {
             Mode::Overview => self.move_in_overview(by),
             Mode::Filter if self.below.contains(&Mode::Overview) => self.move_in_overview(by),
             Mode::Modes => self.move_in_modes(by),
+            Mode::New => self.move_in_new(by),
             Mode::Library | Mode::Filter => {
                 self.library.move_by(by);
                 return self.follow_selection();

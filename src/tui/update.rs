@@ -184,6 +184,10 @@ impl App {
     fn type_text(&mut self, text: &str) -> Vec<Effect> {
         match self.mode {
             Mode::Cell | Mode::Form => self.paste_in_editor(text),
+            Mode::New => {
+                self.type_in_new(text);
+                Vec::new()
+            }
             _ => self.edit(|field| field.insert(text)),
         }
     }
@@ -197,6 +201,7 @@ impl App {
             Mode::Name => self.edit_form(edit),
             Mode::Export => self.edit_export(edit),
             Mode::Frequency => self.edit_frequency(edit),
+            Mode::New => self.edit_new(edit),
             _ => {}
         }
         Vec::new()

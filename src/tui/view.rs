@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use super::app::App;
 use super::keymap::Mode;
 use super::overlays;
-use super::screens::{body, compare, editor, explorer, fits, modes, overview, render_too_small, spectra};
+use super::screens::{body, compare, editor, explorer, fits, modes, new_design, overview, render_too_small, spectra};
 
 /// Draws everything.
 pub fn draw(app: &mut App, frame: &mut Frame) {
@@ -27,6 +27,8 @@ fn render(app: &mut App, frame: &mut Frame) {
         spectra::render(app, frame)
     } else if app.layers().any(|mode| mode == Mode::Modes) {
         modes::render(app, frame)
+    } else if app.layers().any(|mode| mode == Mode::New) {
+        new_design::render(app, frame)
     } else if app.layers().any(|mode| mode == Mode::Overview) {
         overview::render(app, frame)
     } else if app.editors.open().is_some() {
@@ -34,7 +36,8 @@ fn render(app: &mut App, frame: &mut Frame) {
     } else {
         explorer::render(app, frame)
     };
-    let covered = !app.below.is_empty();
+    // the form is a screen that is typed into
+    let covered = !app.below.is_empty() && app.mode != Mode::New;
     let over = overlays::render(app, body(area), frame.buffer_mut());
     if let Some(cursor) = over.or(cursor.filter(|_| !covered)) {
         frame.set_cursor_position(cursor);

@@ -131,7 +131,7 @@ impl TypicalBearing {
 
     /// Effective length of the rollers, m; nothing for balls.
     pub fn roller_length(&self) -> Option<f64> {
-        (self.kind == BearingKind::Tapered).then(|| 0.65 * self.width)
+        (self.kind == BearingKind::Tapered).then_some(0.65 * self.width)
     }
 
     /// Number of balls or rollers.

@@ -22,6 +22,7 @@ pub use wishes::{Refusal, Value, Wishes, shown};
 use std::collections::BTreeMap;
 
 use super::Side;
+use crate::number::significant;
 
 /// A design as it would be made.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +44,32 @@ impl Proposal {
         let shaft = |side| Shaft::new(wishes, &pair, side);
         let shafts = [shaft(Side::Pinion)?, shaft(Side::Gear)?];
         Ok(Self { wishes: wishes.clone(), pair, shafts })
+    }
+
+    /// Sizes that follow, each with its unit: what it is, and how large for pinion and gear.
+    pub fn facts(&self) -> Vec<(&'static str, String)> {
+        let pair = &self.pair;
+        let both = |values: [f64; 2], unit: &str| {
+            let [pinion, gear] = values.map(|value| significant(value, 4));
+            format!("{pinion} / {gear} {unit}")
+        };
+        let mut facts = vec![
+            ("ratio", significant(pair.ratio(), 4)),
+            ("torques", both([0, 1].map(|at| pair.torque(at)), "N m")),
+            ("mean diameters", both(pair.mean_diameters.map(|diameter| diameter * 1e3), "mm")),
+        ];
+        if let (Some((pinion, _)), Some((gear, _))) = (pair.cone(0), pair.cone(1)) {
+            facts.push(("pitch angles", both([pinion, gear].map(f64::to_degrees), "deg")));
+        }
+        if pair.kind.has_hand() {
+            facts.push(("spiral angles", both(pair.spiral_angles.map(f64::to_degrees), "deg")));
+        }
+        let lengths = self.shafts.each_ref().map(|shaft| shaft.length() * 1e3);
+        facts.push(("shafts, long", both(lengths, "mm")));
+        facts.push(("mesh stiffness", format!("{} N/m", significant(pair.mesh_stiffness, 3))));
+        let mesh_frequency = pair.pinion_speed / std::f64::consts::TAU * f64::from(pair.teeth[0]);
+        facts.push(("mesh frequency", format!("{} Hz", significant(mesh_frequency, 4))));
+        facts
     }
 
     /// All answers, those that were given and those that follow.

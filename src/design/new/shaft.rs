@@ -79,9 +79,8 @@ impl Shaft {
         let at = usize::from(side == Side::Gear);
         let mounting = match wishes.word([Field::PinionMounting, Field::GearMounting][at]) {
             Some("straddle") => Mounting::Straddle,
-            Some(_) => Mounting::Overhung,
             None if pair.kind.is_parallel() => Mounting::Straddle,
-            None => Mounting::Overhung,
+            _ => Mounting::Overhung,
         };
         let bearings = bearings(wishes, pair, at, mounting)?;
         Ok(Layout { pair, at, side, mounting, bearings }.build())

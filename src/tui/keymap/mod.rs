@@ -8,8 +8,8 @@ use ratatui::crossterm::event::KeyCode;
 pub use self::mode::Mode;
 use self::places::{
     ALL, ANSWERED, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FORM, HELP,
-    LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SCREENS, SPECTRA, TABLE,
-    TYPING, VARIANTS, VIEWS,
+    LIBRARY, LISTS, MATCHED, MODES, MOVING, NEW, OPENED, OVERVIEW, PANES, PICTURES, RECOVERY, ROWS, SCREENS, SPECTRA,
+    TABLE, TYPING, VARIANTS, VIEWS,
 };
 use super::action::Action;
 
@@ -142,6 +142,10 @@ pub const BINDINGS: &[Binding] = &[
     key(OVERVIEW, KeyCode::Enter, Action::ShowDesign),
     letter(OVERVIEW, 's', Action::SortColumn),
     letter(OVERVIEW, 'S', Action::SortDirection),
+    letter(PANES, 'a', Action::NewDesign),
+    key(NEW, KeyCode::Enter, Action::CreateDesign),
+    key(NEW, KeyCode::Tab, Action::MoveDown),
+    key(NEW, KeyCode::BackTab, Action::MoveUp),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),

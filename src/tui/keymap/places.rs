@@ -37,6 +37,7 @@ pub const ROWS: &[Mode] = &[
 ];
 /// Where there is something to move in.
 pub const MOVING: &[Mode] = &[
+    Mode::New,
     Mode::Library,
     Mode::Text,
     Mode::Filter,
@@ -67,8 +68,17 @@ pub const CELL: &[Mode] = &[Mode::Cell];
 pub const FORM: &[Mode] = &[Mode::Form];
 pub const BROWSING: &[Mode] = &[Mode::Library, Mode::Text, Mode::Table, Mode::Matrix, Mode::Findings];
 /// Where letters are text.
-pub const TYPING: &[Mode] =
-    &[Mode::Filter, Mode::HelpSearch, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Cell, Mode::Form];
+pub const TYPING: &[Mode] = &[
+    Mode::Filter,
+    Mode::HelpSearch,
+    Mode::Palette,
+    Mode::Name,
+    Mode::New,
+    Mode::Export,
+    Mode::Frequency,
+    Mode::Cell,
+    Mode::Form,
+];
 /// Where a filter is typed, and what it filters.
 pub const FILTERING: &[Mode] = &[Mode::Filter, Mode::HelpSearch];
 pub const FILTERED: &[Mode] = &[Mode::Library, Mode::Text, Mode::Help];
@@ -81,6 +91,7 @@ pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::
 pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Confirm];
 pub const MODES: &[Mode] = &[Mode::Modes];
 pub const OVERVIEW: &[Mode] = &[Mode::Overview];
+pub const NEW: &[Mode] = &[Mode::New];
 pub const CONFIRM: &[Mode] = &[Mode::Confirm];
 pub const COMMANDS: &[Mode] = &[
     Mode::Library,
