@@ -78,7 +78,7 @@ fn everything_is_answered_with_the_keys_and_follows_the_others() {
     screen.keys("<Down>2400<Down>3<Down>1 in<Down>25<Down>22<Down> ");
     assert!(screen.text().contains("25.4 mm") && screen.text().contains("left"), "{}", screen.text());
     // mountings, then bearings: angular contact ones by their first letter
-    screen.keys("<Down> <Down>s<Down>t<Enter>");
+    screen.keys("<Down>o<Down>s<Down>t<Right><Enter>");
     let text = shelf.text("mine").unwrap_or_else(|| panic!("{}", screen.text()));
     let design = read(&text).design.unwrap();
     let operating = design.operating.unwrap();
@@ -91,7 +91,7 @@ fn everything_is_answered_with_the_keys_and_follows_the_others() {
     assert!((geometry.pressure_angle.to_degrees() - 22.0).abs() < 1e-9);
     assert!(text.contains("hand = \"left\"") && text.contains("# tapered-"), "{text}");
     assert!(text.contains("face width 25.4 mm, asked for"), "{text}");
-    assert!(text.contains("# ---- Pinion: overhung") && text.contains("# ---- Gear: straddle"), "{text}");
+    assert!(text.contains("# ---- Pinion, overhung") && text.contains("# ---- Gear, straddle"), "{text}");
 }
 
 #[test]
@@ -171,4 +171,28 @@ fn a_pasted_text_is_an_answer_and_no_keys() {
     screen.keys("<Down><Down>");
     screen.send(Message::Paste("\u{1b}[2J".into()));
     assert!(!screen.text().contains('\u{1b}'));
+}
+
+/// In the smallest terminal, every sentence of help and every label is there in full.
+#[test]
+fn every_question_can_be_read_in_the_smallest_terminal() {
+    for kind in ["spi", "h", "hel"] {
+        let (mut screen, _) = empty(60, 18, UNICODE);
+        screen.keys("a<Down>");
+        screen.keys(&kind[..1]);
+        if kind == "hel" {
+            screen.keys("h");
+        }
+        for row in screen.app.new_design.rows() {
+            if let bevelscope::tui::new_design::Row::Field(field) = row {
+                screen.app.new_design.cursor =
+                    screen.app.new_design.rows().iter().position(|other| *other == row).unwrap();
+                screen.draw();
+                let text = screen.text().replace('\n', " ");
+                let words: Vec<&str> = text.split_whitespace().collect();
+                assert!(words.join(" ").contains(field.help()), "{field:?}: {}", screen.text());
+                assert!(text.contains(field.label()), "{field:?}");
+            }
+        }
+    }
 }

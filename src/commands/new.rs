@@ -217,15 +217,27 @@ fn list(format: Format, out: &mut impl Write) -> Result<(), CommandError> {
     if format == Format::Json {
         return Ok(json::write(out, &listed)?);
     }
-    writeln!(out, "typical bearings, of no maker; lengths in mm")?;
+    writeln!(out, "typical bearings, of no maker; lengths in mm, contact angles in deg")?;
     for kind in BearingKind::ALL {
         let source = kind.source();
-        writeln!(out, "\n{:<19} bore  outside  width  elements  thick   long  pitch dia  angle deg", kind.plain())?;
+        writeln!(
+            out,
+            "\n{:<20}{:>5}{:>8}{:>7}{:>9}{:>6}{:>6}{:>10}{:>6}",
+            kind.plain(),
+            "bore",
+            "outside",
+            "width",
+            "elements",
+            "thick",
+            "long",
+            "pitch dia",
+            "deg"
+        )?;
         for one in listed.iter().filter(|one| one.kind == kind.word()) {
             let long = one.roller_length_mm.map_or("-".into(), |length| format!("{length:.1}"));
             writeln!(
                 out,
-                "{:<19}{:>5.0}{:>9.0}{:>7.2}{:>10}{:>7.1}{long:>7}{:>11.1}{:>11.0}",
+                "{:<20}{:>5.0}{:>8.0}{:>7.2}{:>9}{:>6.1}{long:>6}{:>10.1}{:>6.0}",
                 one.name,
                 one.bore_mm,
                 one.outside_diameter_mm,

@@ -77,7 +77,7 @@ impl Field {
                 "kind",
                 "kind of pair",
                 Word(PairKind::WORDS),
-                "Bevel pairs cross at a right angle and meet; hypoid ones pass at an offset; spur and helical shafts are parallel.",
+                "Bevel: the axes meet at a right angle. Hypoid: they pass at an offset. Spur, helical: parallel.",
             ),
             Self::PinionTeeth => {
                 ("pinion-teeth", "pinion teeth", Whole(5, 100), "Teeth of the small wheel, which drives.")
@@ -143,19 +143,19 @@ impl Field {
                 "hand",
                 "pinion's hand",
                 Word(Hand::WORDS),
-                "Which way the pinion's teeth lean; it turns so that its thrust is away from the apex, out of mesh.",
+                "Which way its teeth lean; it turns so that its thrust is out of mesh, away from the apex.",
             ),
             Self::PinionMounting => (
                 "pinion-mounting",
                 "pinion is",
                 Word(MOUNTINGS),
-                "Overhung: both bearings behind the teeth. Straddle: a bearing on either side of them.",
+                "Overhung: both bearings behind the teeth. Straddle: one on either side.",
             ),
             Self::GearMounting => (
                 "gear-mounting",
                 "gear is",
                 Word(MOUNTINGS),
-                "Overhung: both bearings behind the teeth. Straddle: a bearing on either side of them.",
+                "Overhung: both bearings behind the teeth. Straddle: one on either side.",
             ),
             Self::PinionB1 => ("pinion-b1", "pinion B1", Bearing, "The bearing beside the teeth, or before them."),
             Self::PinionB2 => ("pinion-b2", "pinion B2", Bearing, "The bearing towards the drive."),

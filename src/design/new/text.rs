@@ -179,11 +179,11 @@ impl Proposal {
                 "straddle mounted: a bearing on either side, apart by 0.7 of the mean diameter at least (rule of thumb)"
             }
         };
-        out.comment(&format!("---- {}: {rule}", if at == 0 { "Pinion" } else { "Gear" }));
+        out.comment(&format!("---- {}, {rule}", if at == 0 { "Pinion" } else { "Gear" }));
         out.comment(&format!(
             "Diameters are the bores of the bearings, by default the smallest that carry {} N m at {} MPa in torsion; lengths follow from \
              teeth and bearings: designer's choice.",
-            written(torque, PLAIN),
+            written(torque, PLAIN).trim_end_matches(".0"),
             SHAFT_STRESS / 1e6
         ));
         out.line(&format!("[{name}]"));
@@ -234,9 +234,9 @@ impl Proposal {
             bearing.name(),
             self.why(field, "fits the shaft"),
             bearing.kind.plain(),
-            written(bearing.bore * 1e3, PLAIN),
-            written(bearing.outside_diameter * 1e3, PLAIN),
-            written(bearing.width * 1e3, PLAIN),
+            written(bearing.bore * 1e3, PLAIN).trim_end_matches(".0"),
+            written(bearing.outside_diameter * 1e3, PLAIN).trim_end_matches(".0"),
+            written(bearing.width * 1e3, PLAIN).trim_end_matches(".0"),
             bearing.kind.source()
         ));
         out.line(&format!("[[{name}.bearing]]"));

@@ -107,6 +107,11 @@ impl NewDesign {
         let count = words.len().cast_signed();
         let next = |steps: isize| (at.cast_signed() + steps).rem_euclid(count).cast_unsigned();
         let found = match letter {
+            // another kind of bearing has the same bore
+            Some(letter) if field.answer() == Answer::Bearing => {
+                let bore = words[at].rsplit('-').next().unwrap_or_default();
+                words.iter().position(|word| word.starts_with(letter) && word.rsplit('-').next() == Some(bore))
+            }
             Some(letter) => (1..=count).map(next).find(|&at| words[at].starts_with(letter)),
             None => Some(next(by)),
         };

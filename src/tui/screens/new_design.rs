@@ -30,7 +30,7 @@ use crate::tui::widgets::{figures, footer, header, side_view};
 /// Columns of the questions where there is a picture beside them.
 const FORM: u16 = 44;
 const LABELS: u16 = 17;
-const VALUES: u16 = 22;
+const VALUES: u16 = 25;
 
 /// Draws the screen over the whole frame and returns where the cursor stands.
 pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
@@ -146,7 +146,10 @@ fn render_help(form: &NewDesign, theme: &Theme, area: Rect, buffer: &mut Buffer)
         _ if form.pending => (format!("writing{}", theme.glyphs.ellipsis), theme.faint),
         (Some(error), _) => (format!("{} {}", theme.glyphs.broken, printable(error)), theme.error),
         (None, Row::Name) => ("Name of the file; .toml is added.".into(), Style::new()),
-        (None, Row::Field(field)) => (field.help().into(), Style::new()),
+        (None, Row::Field(field)) => {
+            let how = if NewDesign::words(row).is_some() { "Arrows choose. " } else { "" };
+            (format!("{how}{}", field.help()), Style::new())
+        }
     };
     for (line, y) in wrap(&text, usize::from(area.width).saturating_sub(2)).iter().zip(area.top()..area.bottom()) {
         buffer.set_stringn(area.x + 1, y, line, usize::from(area.width.saturating_sub(1)), style);
