@@ -26,7 +26,8 @@ impl App {
         match action {
             Action::Back => self.close(),
             // what is being written is waited for
-            _ if form.pending => {}
+            Action::CreateDesign if form.pending => {}
+            _ if form.pending => return None,
             Action::CreateDesign => return Some(self.create_design()),
             Action::TextLeft if is_choice => form.cycle(-1, None),
             Action::TextRight if is_choice => form.cycle(1, None),
