@@ -77,7 +77,7 @@ const EDITOR: &[Mode] = &[
 ];
 /// Where letters are text.
 const TYPED_IN_EXPLORER: &[Mode] =
-    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::HelpSearch];
+    &[Mode::Filter, Mode::Palette, Mode::Name, Mode::New, Mode::Export, Mode::Frequency, Mode::HelpSearch];
 const TYPED_IN_EDITOR: &[Mode] =
     &[Mode::Cell, Mode::Form, Mode::Export, Mode::Palette, Mode::Frequency, Mode::HelpSearch];
 
