@@ -43,15 +43,16 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let has_picture = body.width >= FORM + 32;
     let form_width = if has_picture { FORM } else { body.width };
     let left = Rect { width: form_width, ..body };
+    // the title says what is in sight
+    let rows = app.new_design.rows();
+    app.new_design.scroll.fit(rows.len(), usize::from(left.height.saturating_sub(2)));
+    app.new_design.scroll.show(app.new_design.cursor);
     let title = title(&app.new_design, form_width);
     let inner = panel::frame(left, buffer, &title, app.mode == Mode::New, &theme);
     if has_picture {
         let right = Rect { x: body.x + form_width, width: body.width - form_width, ..body };
         render_right(&app.new_design, &theme, right, buffer);
     }
-    let rows = app.new_design.rows();
-    app.new_design.scroll.fit(rows.len(), usize::from(inner.height));
-    app.new_design.scroll.show(app.new_design.cursor);
     let wide = Rect { width: body.right().saturating_sub(inner.x + 1), ..inner };
     let cursor = render_rows(&app.new_design, &rows, &theme, wide, buffer);
     render_help(&app.new_design, &theme, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
