@@ -17,7 +17,7 @@
 //! | --- | --- | --- |
 //! | [`gear`] | gear data to mesh points, lines of action, tooth forces | |
 //! | [`bearing`] | ball and roller bearings: loads, stiffness, equilibrium (Lim and Singh) | 2 |
-//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, the library, journals and locks | |
+//! | [`design`] | what the user writes: one schema, reading, findings, key paths, edits, new designs, the library, journals and locks | |
 //! | [`pair`] | the gear pair of a design: forces on both shafts, pictures to scale, stiffness estimate, import of mesh numbers | |
 //! | [`rotor`] | one shaft: stations, beams, bearings, static stiffness at the mesh, first bending modes | 2, 3.1, 3.2.1 |
 //! | [`model`] | the finite element, lumped and reduced models as one small struct {K, M, h, damping} | 2, 3.1, 3.2 |
@@ -59,6 +59,7 @@
 //! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
 //!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
+//! - A new design that is proposed has no finding and solves under its torque (`tests/new_designs.rs`).
 //! - An edit changes the bytes that it is about and no others; undone, it gives the file back byte for byte
 //!   (`tests/design_edit_properties.rs`).
 //! - Every field of the schema can be seen and edited as a cell (`tests/design_grid.rs`).

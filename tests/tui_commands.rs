@@ -88,6 +88,11 @@ impl Backend for Folder {
                 files.push(to.clone());
                 FileDone::Duplicated { from: path.clone(), to }
             }
+            FileRequest::Create { name, .. } => {
+                let path = taken(&files, &name.path_in(Path::new("/designs")))?;
+                files.push(path.clone());
+                FileDone::Created { path }
+            }
             FileRequest::Delete { path } => {
                 files.retain(|file| file != path);
                 let file_name = path.file_name().unwrap().to_str().unwrap().to_owned();

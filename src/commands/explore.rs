@@ -120,13 +120,20 @@ impl Files {
                 }
             }
             FileDone::Deleted { path, .. } => paths.retain(|other| other != path),
-            FileDone::Restored { path } => {
+            FileDone::Restored { path } | FileDone::Created { path } => {
                 let listed = paths.iter().any(|other| path == other || path.parent() == Some(other));
                 if !listed {
                     paths.push(path.clone());
                 }
             }
         }
+    }
+
+    /// Where a new design goes: beside that one, else into the first folder.
+    fn folder(&self, beside: Option<&Path>) -> PathBuf {
+        let of = |path: &Path| path.parent().unwrap_or(Path::new("")).to_owned();
+        let first = || self.paths().into_iter().next().unwrap_or_default();
+        beside.map_or_else(|| Some(first()).filter(|path| path.is_dir()).unwrap_or_else(|| of(&first())), of)
     }
 
     /// What was deleted last from the folders of the library.
@@ -253,6 +260,10 @@ impl Backend for Files {
             }),
             FileRequest::Duplicate { path, name } => {
                 library::duplicate(path, name).map(|to| FileDone::Duplicated { from: path.clone(), to })
+            }
+            FileRequest::Create { beside, name, text } => {
+                let path = name.path_in(&self.folder(beside.as_deref()));
+                design::save_new(&path, text).map(|()| FileDone::Created { path })
             }
             FileRequest::Delete { path } => {
                 library::delete(path).map(|trashed| FileDone::Deleted { path: path.clone(), trashed })

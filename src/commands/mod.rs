@@ -13,6 +13,7 @@ mod inspect;
 mod keys;
 mod mesh_stiffness;
 mod modes;
+mod new;
 mod report;
 mod solve;
 
@@ -58,6 +59,8 @@ enum Command {
     Report(report::Args),
     /// Where two designs differ, and how the models of both agree
     Compare(compare::Args),
+    /// A new design from a few wishes: a complete commented file that solves at once
+    New(Box<new::Args>),
     /// Estimate a mean mesh stiffness from the effective face width (ISO 10300-1, method B)
     MeshStiffness(mesh_stiffness::Args),
     ImportMesh(import_mesh::Args),
@@ -137,6 +140,7 @@ impl Cli {
             Some(Command::Inspect(args)) => inspect::run(args, &mut out, &mut err)?,
             Some(Command::Report(args)) => report::run(args, &mut out, &mut err)?,
             Some(Command::Compare(args)) => compare::run(args, &mut out, &mut err)?,
+            Some(Command::New(args)) => new::run(args, &mut out)?,
             Some(Command::MeshStiffness(args)) => mesh_stiffness::run(args, &mut out)?,
             Some(Command::ImportMesh(args)) => import_mesh::run(args, &mut out, &mut err)?,
             Some(Command::Keys(args)) => keys::run(args, &mut out, &mut err)?,

@@ -24,6 +24,7 @@ mod label;
 pub mod library;
 mod load;
 mod model;
+pub mod new;
 mod read;
 pub mod reference;
 mod render;

@@ -5,9 +5,11 @@
 
 mod bevel;
 mod cylinder;
+mod hypoid;
 mod import;
 mod mesh_stiffness;
 
+pub use hypoid::{CUTTER_RADII, HypoidBlank, HypoidPitch};
 pub use import::{AveragedMesh, COLUMNS, ImportError, read_csv};
 pub use mesh_stiffness::{StiffnessError, mean_mesh_stiffness};
 

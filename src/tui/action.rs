@@ -117,6 +117,8 @@ actions! {
     Rename, "rename", Designs, "rename the design's file", hint 9 "rename";
     Duplicate, "duplicate", Designs, "copy the design to another file", hint 9 "duplicate";
     Delete, "delete", Designs, "move the design to the trash; asks first", hint 9 "delete";
+    NewDesign, "new-design", Designs, "a new design from a few questions", hint 9 "new";
+    CreateDesign, "create-design", Designs, "write the new design as the form has it", hint 0 "create";
     RestoreDeleted, "restore-deleted", Designs, "bring back what was deleted last";
     KeepFilter, "keep-filter", Typing, "keep the filter and go back", hint 1 "keep filter";
     TextLeft, "text-left", Typing, "a letter to the left";

@@ -19,6 +19,7 @@ use super::keys::Keys;
 use super::library::{Library, RowState};
 use super::message::Effect;
 use super::modes::ModesView;
+use super::new_design::NewDesign;
 use super::notice::{Messages, Notice};
 use super::overview::Overview;
 use super::pair::PairView;
@@ -60,6 +61,7 @@ pub struct App {
     pub bearings: Option<BearingsView>,
     pub overview: Overview,
     pub pair: Option<Box<PairView>>,
+    pub new_design: NewDesign,
     /// How a copied text gets to the terminal.
     pub clipboard: Route,
     pub recovery: Recovery,
@@ -190,6 +192,7 @@ impl App {
             bearings: None,
             overview: Overview::default(),
             pair: None,
+            new_design: NewDesign::default(),
             clipboard: Route::default(),
             recovery: Recovery::default(),
             conflicts: Conflicts::default(),

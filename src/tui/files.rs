@@ -21,6 +21,12 @@ pub enum FileRequest {
         path: PathBuf,
         name: VariantName,
     },
+    /// A new design, beside that one or in the first folder of the library.
+    Create {
+        beside: Option<PathBuf>,
+        name: VariantName,
+        text: String,
+    },
     /// To the trash of its folder.
     Delete {
         path: PathBuf,
@@ -41,6 +47,9 @@ pub enum FileDone {
     Duplicated {
         from: PathBuf,
         to: PathBuf,
+    },
+    Created {
+        path: PathBuf,
     },
     Deleted {
         path: PathBuf,
@@ -176,9 +185,11 @@ impl App {
                 effects
             }
             Err(error) => {
-                if let FileRequest::Restore(Some(trashed)) = request {
+                match request {
                     // it is still there to be brought back
-                    self.deleted.push(trashed);
+                    FileRequest::Restore(Some(trashed)) => self.deleted.push(trashed),
+                    FileRequest::Create { .. } => self.design_refused(&error),
+                    _ => {}
                 }
                 if let Some(form) = self.form.as_mut().filter(|_| from_form) {
                     form.pending = false;
@@ -228,6 +239,11 @@ impl App {
                 self.say(format!("deleted {}; {key} brings it back", stem(&path)));
                 self.editors.forget(&path);
                 self.deleted.push(trashed);
+            }
+            FileDone::Created { path } => {
+                self.say(format!("made {}", stem(&path)));
+                self.design_created();
+                self.library.want(path);
             }
             FileDone::Restored { path } => {
                 self.say(format!("{} is back", stem(&path)));

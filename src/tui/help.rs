@@ -86,6 +86,7 @@ const TYPED_IN_EXPLORER: &[Mode] = &[
     Mode::Filter,
     Mode::Palette,
     Mode::Name,
+    Mode::New,
     Mode::Export,
     Mode::Frequency,
     Mode::Torque,

@@ -44,8 +44,8 @@ impl App {
         if let Some(effects) = self.act_in_bearings(action) {
             return effects;
         }
-        let in_screen = self.act_in_editor(action).or_else(|| self.act_in_modes(action));
-        let in_screen = in_screen.or_else(|| self.act_in_pair(action));
+        let in_screen = self.act_in_new(action).or_else(|| self.act_in_editor(action));
+        let in_screen = in_screen.or_else(|| self.act_in_modes(action)).or_else(|| self.act_in_pair(action));
         in_screen.or_else(|| self.act_in_overview(action)).unwrap_or_else(|| self.act(action))
     }
 

@@ -45,6 +45,7 @@ pub mod marker;
 pub mod message;
 pub mod modes;
 mod moving;
+pub mod new_design;
 pub mod notice;
 pub mod overlays;
 pub mod overview;

@@ -13,6 +13,7 @@ impl App {
             Mode::Overview => self.overview.page(),
             Mode::Bearings => self.bearings.as_ref().map_or(1, |view| view.scroll.page()),
             Mode::Pair | Mode::MeshImport => self.pair.as_ref().map_or(1, |view| view.page()),
+            Mode::New => self.new_design.scroll.page(),
             Mode::Filter if self.below.contains(&Mode::Overview) => self.overview.page(),
             Mode::Library | Mode::Filter => self.library.page(),
             Mode::Text => self.detail.text_scroll.page(),
@@ -34,6 +35,7 @@ impl App {
             Mode::Modes => self.move_in_modes(by),
             Mode::Bearings => self.move_in_bearings(by),
             Mode::Pair | Mode::MeshImport => self.pair.iter_mut().for_each(|view| view.move_by(by)),
+            Mode::New => self.move_in_new(by),
             Mode::Library | Mode::Filter => {
                 self.library.move_by(by);
                 return self.follow_selection();

@@ -84,6 +84,7 @@ fn changed(done: &FileDone) -> String {
             let follow = variants.iter().filter(|variant| variant.result.is_ok()).count();
             format!("renamed {} to {}, {follow} of {} variants follow", from.display(), to.display(), variants.len())
         }
+        FileDone::Created { path } => format!("wrote {}", path.display()),
         FileDone::Duplicated { from, to } => format!("copied {} to {}", from.display(), to.display()),
         FileDone::Deleted { path, .. } => format!("deleted {}", path.display()),
         FileDone::Restored { path } => format!("{} is back", path.display()),

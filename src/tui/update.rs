@@ -190,6 +190,10 @@ impl App {
     fn type_text(&mut self, text: &str) -> Vec<Effect> {
         match self.mode {
             Mode::Cell | Mode::Form => self.paste_in_editor(text),
+            Mode::New => {
+                self.type_in_new(text);
+                Vec::new()
+            }
             _ => self.edit(|field| field.insert(text)),
         }
     }
@@ -206,6 +210,7 @@ impl App {
             Mode::Torque => self.edit_torque_field(edit),
             Mode::FaceWidth => self.edit_face_width(edit),
             Mode::MeshFile => self.edit_mesh_file(edit),
+            Mode::New => self.edit_new(edit),
             _ => {}
         }
         Vec::new()

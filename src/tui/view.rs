@@ -7,7 +7,7 @@ use super::app::App;
 use super::keymap::{Mode, SCREENS};
 use super::overlays;
 use super::screens::{
-    bearings, body, compare, editor, explorer, fits, modes, overview, pair, render_too_small, spectra,
+    bearings, body, compare, editor, explorer, fits, modes, new_design, overview, pair, render_too_small, spectra,
 };
 
 /// Draws everything.
@@ -23,18 +23,20 @@ fn render(app: &mut App, frame: &mut Frame) {
     if app.is_unseen {
         return render_too_small(app, area, frame.buffer_mut());
     }
-    let screen = app.layers().filter(|mode| SCREENS.contains(mode)).last();
+    let screen = app.layers().filter(|mode| SCREENS.contains(mode) || *mode == Mode::New).last();
     let cursor = match screen {
         Some(Mode::Compare) => compare::render(app, frame),
         Some(Mode::Spectra) => spectra::render(app, frame),
         Some(Mode::Modes) => modes::render(app, frame),
         Some(Mode::Bearings) => bearings::render(app, frame),
         Some(Mode::Pair) => pair::render(app, frame),
+        Some(Mode::New) => new_design::render(app, frame),
         Some(Mode::Overview) => overview::render(app, frame),
         _ if app.editors.open().is_some() => editor::render(app, frame),
         _ => explorer::render(app, frame),
     };
-    let covered = !app.below.is_empty();
+    // the form is a screen that is typed into
+    let covered = !app.below.is_empty() && app.mode != Mode::New;
     let over = overlays::render(app, body(area), frame.buffer_mut());
     if let Some(cursor) = over.or(cursor.filter(|_| !covered)) {
         frame.set_cursor_position(cursor);

@@ -131,8 +131,17 @@ impl Backend for Shelf {
         Some(Ok(self.texts.lock().unwrap().keys().cloned().collect()))
     }
 
-    /// Renames; a variant with the word `locked` in it cannot be written.
+    /// Renames, and makes new ones; a variant with the word `locked` in it cannot be written, nor a new one of that name.
     fn change_file(&self, request: &FileRequest) -> Result<FileDone, String> {
+        if let FileRequest::Create { beside, name, text } = request {
+            if name.as_str().contains("locked") {
+                return Err("the folder is locked".into());
+            }
+            let folder = beside.as_deref().and_then(Path::parent).unwrap_or(Path::new("/designs"));
+            let path = name.path_in(folder);
+            self.texts.lock().unwrap().insert(path.clone(), text.clone());
+            return Ok(FileDone::Created { path });
+        }
         let FileRequest::Rename { path, name } = request else { return Err("not on this shelf".into()) };
         let mut texts = self.texts.lock().unwrap();
         let text = texts.remove(path).ok_or("there is no such file")?;

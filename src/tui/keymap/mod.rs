@@ -9,8 +9,8 @@ pub use self::mode::Mode;
 pub use self::places::SCREENS;
 use self::places::{
     ALL, ANSWERED, BEARINGS, BROWSING, CELL, CELLS, COLUMNS, COMMANDS, CONFIRM, CONFLICT, FILTERED, FILTERING, FLANKS,
-    FORM, HELP, LIBRARY, LISTS, MATCHED, MODES, MOVING, OPENED, OVERVIEW, PAIR, PAIR_FORMS, PANES, PICTURES, RECOVERY,
-    ROWS, SPECTRA, TABLE, TYPING, VARIANTS, VIEWS, WRITTEN,
+    FORM, HELP, LIBRARY, LISTS, MATCHED, MODES, MOVING, NEW, OPENED, OVERVIEW, PAIR, PAIR_FORMS, PANES, PICTURES,
+    RECOVERY, ROWS, SPECTRA, TABLE, TYPING, VARIANTS, VIEWS, WRITTEN,
 };
 use super::action::Action;
 
@@ -151,6 +151,10 @@ pub const BINDINGS: &[Binding] = &[
     key(OVERVIEW, KeyCode::Right, Action::SortColumn),
     letter(OVERVIEW, 'l', Action::SortColumn),
     letter(OVERVIEW, 'S', Action::SortDirection),
+    letter(PANES, 'a', Action::NewDesign),
+    key(NEW, KeyCode::Enter, Action::CreateDesign),
+    key(NEW, KeyCode::Tab, Action::MoveDown),
+    key(NEW, KeyCode::BackTab, Action::MoveUp),
     letter(PANES, 'r', Action::Rename),
     letter(PANES, 'Y', Action::Duplicate),
     letter(PANES, 'D', Action::Delete),

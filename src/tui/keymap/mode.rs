@@ -42,6 +42,8 @@ modes! {
     Palette, "palette", "In the list of all actions";
     /// A file's name is being typed.
     Name, "name", "While a file is named";
+    /// The form of a new design.
+    New, "new", "In the form of a new design";
     /// A question with yes or no.
     Confirm, "confirm", "When asked whether to delete";
     /// All messages in full.

@@ -43,6 +43,7 @@ pub const ROWS: &[Mode] = &[
 ];
 /// Where there is something to move in.
 pub const MOVING: &[Mode] = &[
+    Mode::New,
     Mode::Library,
     Mode::Text,
     Mode::Filter,
@@ -84,6 +85,7 @@ pub const TYPING: &[Mode] = &[
     Mode::HelpSearch,
     Mode::Palette,
     Mode::Name,
+    Mode::New,
     Mode::Export,
     Mode::Frequency,
     Mode::Torque,
@@ -116,6 +118,7 @@ pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::F
 pub const MODES: &[Mode] = &[Mode::Modes];
 pub const BEARINGS: &[Mode] = &[Mode::Bearings];
 pub const OVERVIEW: &[Mode] = &[Mode::Overview];
+pub const NEW: &[Mode] = &[Mode::New];
 pub const CONFIRM: &[Mode] = &[Mode::Confirm];
 pub const COMMANDS: &[Mode] = &[
     Mode::Library,

@@ -131,7 +131,9 @@ fn without_result(app: &App) -> (&'static str, String) {
              A design is a file NAME.toml: a pinion and a gear, each a shaft with its segments, bodies, bearings and its \
              drive, and the mesh between them. bevelscope solves it with finite elements and with two lumped models, and \
              shows up to which frequency the lumped ones can be trusted.\n\n\
+             {} asks a few questions and makes one.\n\n\
              Put a design there and press {}, or quit with {} and name another folder:\n\n    bevelscope FOLDER",
+            keys.of(Action::NewDesign),
             keys.of(Action::Reread),
             keys.of(Action::Quit)
         );

@@ -5,6 +5,7 @@ pub mod compare;
 pub mod editor;
 pub mod explorer;
 pub mod modes;
+pub mod new_design;
 pub mod overview;
 pub mod pair;
 pub mod spectra;
