@@ -241,7 +241,11 @@ fn edits_outlive(cut: &Cut) {
         thread::sleep(Duration::from_millis(20));
     }
     terminal.wait(LONG);
-    assert!(journals(&recovery).iter().all(|found| !found.is_alive));
+    // a process that ends gives its command line back before its locks
+    while journals(&recovery).iter().any(|found| found.is_alive) {
+        assert!(Instant::now() < deadline, "the journals are still locked");
+        thread::sleep(Duration::from_millis(20));
+    }
 
     let mut again = server.log_in();
     again.wait_for_text("Unsaved edits of an earlier run");
