@@ -209,5 +209,5 @@ fn about_torque(editing: &Editing, keys: &KeyNames<'_>) -> String {
     }
     let [more, less, type_it] =
         [Action::MoreTorque, Action::LessTorque, Action::TypeTorque].map(|action| keys.of(action));
-    format!("{more} and {less} change the torque, {type_it} types it: mean loads, stiffness and spectra follow")
+    format!("{more} and {less} change the torque, {type_it} types it; loads and spectra follow")
 }
