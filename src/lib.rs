@@ -50,7 +50,7 @@
 //! - No file, terminal or thread in `bearing`, `gear`, `rotor`, `model`, `response` and `agreement` (`tests/invariants.rs`).
 //! - Inside the program a number is SI, a frequency in Hz or rad/s as its name says; every number that leaves it has a unit in
 //!   its key or header (`tests/invariants.rs`, `tests/cli.rs`).
-//! - The exact shortcut and the direct solve agree on every model (`tests/properties.rs`).
+//! - The exact shortcut and the direct solve agree on every model (`tests/properties`).
 //! - The forces of bearings, mesh and drive on a shaft are what accelerates its mass (`tests/bearing_forces.rs`).
 //! - Loads of a bearing are the gradient of one convex energy, its stiffness the derivative of the loads (`tests/bearing`).
 //! - A mean state is found again only where something that it depends on has changed (`tests/mean_states.rs`, `tests/tui_bearings.rs`).
@@ -58,7 +58,7 @@
 //! - What the teeth push on one shaft pushes back on the other (`tests/pair.rs`).
 //! - The mesh does not notice a rigid motion of the whole pair (`tests/gear.rs`).
 //! - A [`rotor::Rotor`] that exists is held, and its statics are known; a [`design::Design`] that was read has passed every check that needs no
-//!   mechanics (`tests/design_files.rs`, `tests/properties.rs`).
+//!   mechanics (`tests/design_files.rs`, `tests/properties`).
 //! - A new design that is proposed has no finding and solves under its torque (`tests/new_designs.rs`).
 //! - An edit changes the bytes that it is about and no others; undone, it gives the file back byte for byte
 //!   (`tests/design_edit_properties.rs`).
