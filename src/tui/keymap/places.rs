@@ -72,6 +72,25 @@ pub const PAIR: &[Mode] = &[Mode::Pair];
 pub const PAIR_FORMS: &[Mode] = &[Mode::FaceWidth, Mode::MeshFile, Mode::MeshImport];
 pub const FLANKS: &[Mode] = &[Mode::MeshFile, Mode::MeshImport];
 pub const CELLS: &[Mode] = &[Mode::Table, Mode::Matrix];
+/// Where a design is edited, and what of that is saved, solved and solved at once.
+pub const EDITED: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Bearings, Mode::Pair];
+pub const SAVED: &[Mode] = &[Mode::Table, Mode::Bearings, Mode::Pair];
+pub const SOLVED: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Bearings];
+pub const LIVE: &[Mode] = &[Mode::Table, Mode::Bearings];
+/// Where messages come.
+pub const TOLD: &[Mode] = &[
+    Mode::Library,
+    Mode::Text,
+    Mode::Table,
+    Mode::Matrix,
+    Mode::Findings,
+    Mode::Compare,
+    Mode::Spectra,
+    Mode::Modes,
+    Mode::Bearings,
+    Mode::Overview,
+    Mode::Pair,
+];
 /// Where there are columns to move in.
 pub const COLUMNS: &[Mode] = &[Mode::Table, Mode::Matrix, Mode::Spectra];
 pub const SPECTRA: &[Mode] = &[Mode::Spectra];
