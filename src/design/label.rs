@@ -7,7 +7,9 @@ use super::schema::{Kind, Table, target};
 /// Coordinates of bearings' matrices.
 pub(super) const COORDINATES: [&str; 6] = ["x", "y", "z", "thx", "thy", "thz"];
 
-/// `outer diameter of pinion segment 3`, `point z of mesh pinion`, `name of design`.
+const OPERATING: &str = "operating";
+
+/// `outer diameter of pinion segment 3`, `point z of mesh pinion`, `name of design`, `pinion torque`.
 pub(super) fn of_value(tree: &Tree, path: &KeyPath) -> String {
     let Some(target) = target(path) else { return path.to_string() };
     let Some(field) = target.field else { return of_table(tree, path) };
@@ -17,7 +19,11 @@ pub(super) fn of_value(tree: &Tree, path: &KeyPath) -> String {
     }
     let entries: Vec<String> = path.steps()[target.steps + 1..].iter().map(|step| entry(field.kind, step)).collect();
     let label = std::iter::once(field.label()).chain(entries).collect::<Vec<_>>().join(" ");
-    format!("{label} of {}", of_table(tree, &table))
+    match of_table(tree, &table) {
+        // no part of the gearbox: its torque and speed say what they are
+        table if table == OPERATING => label,
+        table => format!("{label} of {table}"),
+    }
 }
 
 /// `point z`, `stiffness x thz`
