@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use super::eigen::{RotorModes, WorkDone, natural_modes_over};
+use super::eigen::{RotorModes, WorkDone, natural_modes_over, uncoupled_parts};
 use super::tridiagonal::QrError;
 use super::{Coordinate, ModelError, Reduction, RotorModel, fe, lumped};
 use crate::design::{Design, Side};
@@ -190,17 +190,19 @@ impl Parted {
     /// Displacements of all coordinates for unit motion of each of the interface: - `K_ii`^-1 `K_ib` inside.
     fn static_shapes(&self) -> Option<DMatrix<f64>> {
         let Self { interface, interior, inside, across, .. } = self;
-        let n = inside.nrows();
-        let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(i, i)].sqrt());
-        let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(i, j)] * scale[j]);
-        let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
-        let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(i, j)]);
-        factor.solve_mut(&mut shapes);
-        let mut whole = DMatrix::zeros(n + interface.len(), interface.len());
+        let mut whole = DMatrix::zeros(interior.len() + interface.len(), interface.len());
         for (column, &i) in interface.iter().enumerate() {
             whole[(i, column)] = 1.0;
-            for (row, &inner) in interior.iter().enumerate() {
-                whole[(inner, column)] = scale[row] * shapes[(row, column)];
+        }
+        for part in uncoupled_parts(inside, inside) {
+            let n = part.len();
+            let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(part[i], part[i])].sqrt());
+            let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(part[i], part[j])] * scale[j]);
+            let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
+            let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(part[i], j)]);
+            factor.solve_mut(&mut shapes);
+            for (row, &inner) in part.iter().enumerate() {
+                whole.set_row(interior[inner], &(shapes.row(row) * scale[row]));
             }
         }
         Some(whole)

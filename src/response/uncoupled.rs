@@ -125,19 +125,8 @@ impl<'a> Mixer<'a> {
 
     /// Shapes of modes with the mesh, one a column, of any scale.
     pub fn shapes(&self, modes: &[Eigenvalue]) -> DMatrix<f64> {
-        let Uncoupled { lambda, g, shapes } = self.uncoupled;
-        let mut weights = DMatrix::zeros(lambda.len(), modes.len());
-        for (mut column, mode) in weights.column_iter_mut().zip(modes) {
-            match *mode {
-                Eigenvalue::Kept(i) => column[i] = 1.0,
-                Eigenvalue::Moved { origin, offset } => {
-                    let weight =
-                        |r: usize| if g[r] == 0.0 { 0.0 } else { g[r] / ((lambda[r] - lambda[origin]) - offset) };
-                    column.copy_from(&DVector::from_fn(lambda.len(), |r, _| weight(r)).normalize());
-                }
-            }
-        }
-        let mut out = DMatrix::zeros(shapes.nrows(), modes.len());
+        let weights = weights(self.uncoupled, modes);
+        let mut out = DMatrix::zeros(self.uncoupled.shapes.nrows(), modes.len());
         for Block { rows, columns, shapes } in &self.blocks {
             let own = shapes * weights.select_rows(columns);
             for (from, &to) in rows.iter().enumerate() {
@@ -146,6 +135,21 @@ impl<'a> Mixer<'a> {
         }
         out
     }
+}
+
+/// How much of each mode without the mesh is in those with it, one a column.
+fn weights(Uncoupled { lambda, g, .. }: &Uncoupled, modes: &[Eigenvalue]) -> DMatrix<f64> {
+    let mut weights = DMatrix::zeros(lambda.len(), modes.len());
+    for (mut column, mode) in weights.column_iter_mut().zip(modes) {
+        match *mode {
+            Eigenvalue::Kept(i) => column[i] = 1.0,
+            Eigenvalue::Moved { origin, offset } => {
+                let weight = |r: usize| if g[r] == 0.0 { 0.0 } else { g[r] / ((lambda[r] - lambda[origin]) - offset) };
+                column.copy_from(&DVector::from_fn(lambda.len(), |r, _| weight(r)).normalize());
+            }
+        }
+    }
+    weights
 }
 
 /// Rows that belong together; each group is named by its first row.
@@ -166,5 +170,34 @@ impl Groups {
     fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.of(a), self.of(b));
         self.0[a.max(b)] = a.min(b);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::{library::SHIPPED, read};
+    use crate::model::{ModelKind, Rotors};
+    use crate::response::{both_rotor_modes, secular};
+
+    #[test]
+    fn blocks_give_the_product_of_the_whole_matrices() {
+        for shipped in SHIPPED {
+            let design = read(shipped.text).design.unwrap();
+            let rotors = Rotors::new(&design).unwrap();
+            for kind in [ModelKind::Fe, ModelKind::Basic, ModelKind::Reduced(5)] {
+                let model = Model::new(kind, &design, &rotors).unwrap();
+                let uncoupled = Uncoupled::new(&model, &both_rotor_modes(&model).unwrap());
+                let Uncoupled { lambda, g, shapes } = &uncoupled;
+                let modes = secular::eigenvalues(lambda, g, model.mesh_stiffness);
+                let mixer = Mixer::new(&uncoupled);
+                assert!(mixer.blocks.len() > 1, "{}: nothing is apart", shipped.file_name);
+                let in_blocks = mixer.shapes(&modes);
+                let whole = shapes * weights(&uncoupled, &modes);
+                for (own, expected) in in_blocks.column_iter().zip(whole.column_iter()) {
+                    assert!((own - expected).norm() < 1e-13 * expected.norm(), "{} {kind:?}", shipped.file_name);
+                }
+            }
+        }
     }
 }

@@ -159,6 +159,7 @@ impl SpectraJob {
         }
         let solved = |kind| self.known.model(kind).map(|model| model.solved().clone());
         if self.known.modes_of(self.against).is_none()
+            && !failed.contains(&self.against)
             && let (Some(fe), Some(lumped)) = (solved(ModelKind::Fe), solved(self.against))
         {
             let mut done = || if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
