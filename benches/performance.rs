@@ -4,6 +4,7 @@
 
 use std::hint::black_box;
 use std::io::Read;
+use std::ops::ControlFlow;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -11,7 +12,7 @@ use bevelscope::bearing::{Bearing, Data, Held, Kind, Vector, equilibrium};
 use bevelscope::comparison::{compare, solve, solve_with_bearings};
 use bevelscope::design::{self, Design};
 use bevelscope::model::{Model, ModelKind, Rotors};
-use bevelscope::response::{Modes, direct_spectrum, frequency_lines};
+use bevelscope::response::{Modes, Solved, direct_spectrum, frequency_lines};
 use portable_pty::{CommandBuilder, PtySize, native_pty_system};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_bevelscope");
@@ -101,6 +102,9 @@ fn kernels(design: &Design, text: &str) {
     let forces = || drop(black_box(solve_with_bearings(ModelKind::Fe, design, &rotors, &lines)));
     beside("  fe with the forces of all bearings", median(51, forces));
     beside("all modes of FE with the mesh", median(11, || drop(black_box(Modes::new(&fe, usize::MAX)))));
+    let solved = Solved::new(fe).expect("modes of the rotors");
+    let from_those = || drop(black_box(solved.modes_over(&mut |_| ControlFlow::Continue(()))));
+    beside("  from those of the rotors", median(11, from_those));
     beside("reading the design file", median(51, || drop(black_box(design::read(text)))));
 }
 

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::agreement::{Agreement, AgreementError, ModalError, Tolerance, difference_db};
 use crate::design::Design;
 use crate::model::{Caveat, Model, ModelError, ModelKind, Rotors, RotorsError, modes_work};
-use crate::response::{BearingForces, Compliance, ResponseError, both_rotor_modes, frequency_lines};
+use crate::response::{BearingForces, ResponseError, Solved, frequency_lines};
 
 pub use crate::model::RecoveryKind;
 pub use crate::response::{BearingSpectrum, Spectrum};
@@ -62,8 +62,18 @@ pub type Observer<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
 ///
 /// [`SolveError::Response`] names the model and the result that cannot be computed.
 pub fn solve(kind: ModelKind, design: &Design, rotors: &Rotors, frequency_hz: &[f64]) -> Result<Spectrum, SolveError> {
+    let failed = |error| SolveError::Response { kind, error };
+    solved(kind, design, rotors)?.spectrum(frequency_hz).map_err(failed)
+}
+
+/// One model of a design with the modes of its rotors.
+///
+/// # Errors
+///
+/// [`SolveError::Response`] names the model.
+pub fn solved(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Solved, SolveError> {
     let model = Model::new(kind, design, rotors)?;
-    Spectrum::new(&model, frequency_hz).map_err(|error| SolveError::Response { kind, error })
+    Solved::new(model).map_err(|error| SolveError::Response { kind, error })
 }
 
 /// One model with the forces of its bearings on their shafts.
@@ -88,13 +98,11 @@ pub fn solve_with_bearings(
     frequency_hz: &[f64],
 ) -> Result<WithBearings, SolveError> {
     let failed = |error| SolveError::Response { kind, error };
-    let model = Model::new(kind, design, rotors)?;
-    let modes = both_rotor_modes(&model).map_err(failed)?;
-    let recovery = model.recovery(design, rotors)?;
-    let mut spectrum = Spectrum::with_capacity(frequency_hz.len(), model.coordinates());
-    spectrum.extend(&model, &Compliance::with_modes(&model, &modes), frequency_hz).map_err(failed)?;
-    let forces = BearingForces::new(&model, &modes, &recovery);
-    let bearings = forces.spectra(&model, frequency_hz, &spectrum.mesh_force);
+    let solved = solved(kind, design, rotors)?;
+    let recovery = solved.model.recovery(design, rotors)?;
+    let spectrum = solved.spectrum(frequency_hz).map_err(failed)?;
+    let forces = BearingForces::new(&solved.model, &solved.rotor_modes, &recovery);
+    let bearings = forces.spectra(&solved.model, frequency_hz, &spectrum.mesh_force);
     let finite = |bearing: &BearingSpectrum, line: usize| bearing.force[line].iter().all(|f| f.is_finite());
     match (0..frequency_hz.len()).find(|&line| !bearings.iter().all(|bearing| finite(bearing, line))) {
         Some(line) => {
@@ -137,6 +145,20 @@ pub fn compare_rotors(
     band: Option<[f64; 2]>,
     observer: &mut Observer<'_>,
 ) -> Result<Comparison, SolveError> {
+    Ok(compare_solved(design, rotors, band, observer)?.0)
+}
+
+/// As [`compare_rotors`], with what it rests on: finite elements, the enhanced and the basic model.
+///
+/// # Errors
+///
+/// As [`compare_over`].
+pub fn compare_solved(
+    design: &Design,
+    rotors: &Rotors,
+    band: Option<[f64; 2]>,
+    observer: &mut Observer<'_>,
+) -> Result<(Comparison, [Solved; 3]), SolveError> {
     // large matrices are filled before any is solved
     if observer(0.0).is_break() {
         return Err(SolveError::Cancelled);
@@ -145,37 +167,41 @@ pub fn compare_rotors(
     let model = |kind| Model::new(kind, design, rotors);
     let models = [model(ModelKind::Fe)?, model(ModelKind::Enhanced)?, model(ModelKind::Basic)?];
     let mut progress = Progress::new(&models, frequency_hz.len(), observer);
-    let mut solved = |model: &Model| observed_spectrum(model, &frequency_hz, &mut progress);
-    let [fe, enhanced, basic] = &models;
-    let (fe, enhanced, basic) = (solved(fe)?, solved(enhanced)?, solved(basic)?);
+    let mut spectrum = |model| observed_spectrum(model, &frequency_hz, &mut progress);
+    let [fe, enhanced, basic] = models;
+    let [(fe, of_fe), (enhanced, of_enhanced), (basic, of_basic)] =
+        [spectrum(fe)?, spectrum(enhanced)?, spectrum(basic)?];
     let agreement = |lumped: &Spectrum| {
         Agreement::new(&frequency_hz, &lumped.mesh_force, &fe.mesh_force, band, Tolerance::default())
     };
     let (enhanced_agreement, basic_agreement) = (agreement(&enhanced)?, agreement(&basic)?);
     let caveats = rotors.caveats();
-    Ok(Comparison { frequency_hz, fe, enhanced, basic, enhanced_agreement, basic_agreement, caveats })
+    let comparison = Comparison { frequency_hz, fe, enhanced, basic, enhanced_agreement, basic_agreement, caveats };
+    Ok((comparison, [of_fe, of_enhanced, of_basic]))
 }
 
 /// A spectrum in steps that the observer can come between.
 fn observed_spectrum(
-    model: &Model,
+    model: Model,
     frequency_hz: &[f64],
     progress: &mut Progress<'_, '_>,
-) -> Result<Spectrum, SolveError> {
+) -> Result<(Spectrum, Solved), SolveError> {
     const LINES_A_STEP: usize = 8192;
+    let kind = model.kind;
     let failed = |error| match error {
         ResponseError::Cancelled => SolveError::Cancelled,
-        error => SolveError::Response { kind: model.kind, error },
+        error => SolveError::Response { kind, error },
     };
     progress.add(0.0)?;
     let mut modes = |work| progress.hear(WORK_OF_MODES * work);
-    let compliance = Compliance::over(model, &mut modes).map_err(failed)?;
+    let solved = Solved::over(model, &mut modes).map_err(failed)?;
+    let (model, compliance) = (&*solved.model, solved.compliance());
     let mut spectrum = Spectrum::with_capacity(frequency_hz.len(), model.coordinates());
     for lines in frequency_hz.chunks(LINES_A_STEP) {
         spectrum.extend(model, &compliance, lines).map_err(failed)?;
         progress.add(lines_cost(model, lines.len()))?;
     }
-    Ok(spectrum)
+    Ok((spectrum, solved))
 }
 
 /// How long a unit of the modes' work takes, as a multiple of that of the lines; measured.

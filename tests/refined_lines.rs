@@ -6,7 +6,7 @@ mod support;
 use bevelscope::agreement::peaks;
 use bevelscope::design::{Design, library, read};
 use bevelscope::model::{Model, ModelKind, Rotors};
-use bevelscope::response::{Compliance, Modes, Spectrum, both_rotor_modes, refined_lines};
+use bevelscope::response::{Solved, refined_lines};
 use proptest::prelude::*;
 use support::random::{config, designs};
 
@@ -15,15 +15,13 @@ fn check(design: &Design, kind: ModelKind, grid: usize) -> Result<usize, TestCas
     let rotors = Rotors::new(design).unwrap();
     let model = Model::new(kind, design, &rotors).unwrap();
     let (low, high) = (design.analysis.frequency_min, design.analysis.frequency_max);
-    let uncoupled = both_rotor_modes(&model).unwrap();
-    let compliance = Compliance::with_modes(&model, &uncoupled);
-    let modes = Modes::new(&model, usize::MAX).unwrap();
-    let refined = refined_lines(&model, &compliance, &modes, &uncoupled, [low, high]);
+    let solved = Solved::new(model).unwrap();
+    let refined = refined_lines(&solved, &solved.compliance(), solved.frequencies(), [low, high]);
     prop_assert!(refined.is_sorted() && refined.iter().all(|f| *f > low && *f < high));
-    prop_assert!(refined.len() <= 7 * 2 * model.coordinates(), "{} lines", refined.len());
+    prop_assert!(refined.len() <= 7 * 2 * solved.model.coordinates(), "{} lines", refined.len());
     let fine: Vec<f64> = (0..grid).map(|i| low * (high / low).powf(i as f64 / (grid - 1) as f64)).collect();
-    let force = Spectrum::new(&model, &fine).unwrap().mesh_force;
-    let at_refined = Spectrum::new(&model, &refined).unwrap().mesh_force;
+    let force = solved.spectrum(&fine).unwrap().mesh_force;
+    let at_refined = solved.spectrum(&refined).unwrap().mesh_force;
     let turned: Vec<_> = force.iter().map(|f| 1.0 / f).collect();
     let mut found = 0;
     for (what, spectrum, upside_down) in [("peak", &force, false), ("antiresonance", &turned, true)] {

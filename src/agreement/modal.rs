@@ -2,14 +2,15 @@
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use num_complex::Complex64;
 
 use super::parts::{Part, Parts};
 use super::{ModePair, pair_modes};
-use crate::design::{Design, Side};
+use crate::design::Design;
 use crate::model::{Model, ModelError, ModelKind, Rotors};
-use crate::response::{Mode, Modes, ResponseError, rotor_modes_over};
+use crate::response::{Mode, Modes, ResponseError, Solved};
 
 /// Finite element modes that lumped ones are paired with: the lowest, since the shape of a high one at the mesh alone says little.
 pub const COMPARED_FE_MODES: usize = 40;
@@ -17,10 +18,10 @@ pub const COMPARED_FE_MODES: usize = 40;
 /// Modes of two models with their partners.
 #[derive(Debug, Clone)]
 pub struct ModalComparison {
-    pub fe_model: Model,
+    pub fe_model: Arc<Model>,
     /// All of them
     pub fe: Modes,
-    pub lumped_model: Model,
+    pub lumped_model: Arc<Model>,
     pub lumped: Modes,
     /// By [`pair_modes`], among the lowest [`COMPARED_FE_MODES`], or twice as many as the model has where that is more
     pub pairs: Vec<ModePair>,
@@ -53,33 +54,33 @@ impl ModalComparison {
     ///
     /// A model that cannot be built, or whose modes cannot be computed.
     pub fn new(kind: ModelKind, design: &Design, rotors: &Rotors) -> Result<Self, ModalError> {
-        Self::over(kind, design, rotors, &mut || ControlFlow::Continue(()))
+        let solved = |kind| -> Result<Solved, ModalError> {
+            let model = Model::new(kind, design, rotors)?;
+            Solved::new(model).map_err(|error| ModalError::Response { kind, error })
+        };
+        Self::of(&solved(ModelKind::Fe)?, &solved(kind)?, design, rotors, &mut || ControlFlow::Continue(()))
     }
 
-    /// As [`Self::new`]; `done` is asked often whether to go on.
+    /// As [`Self::new`], of two models of the design that are solved; `done` is asked often whether to go on.
     ///
     /// # Errors
     ///
     /// As [`Self::new`]; [`ModalError::Cancelled`] where `done` breaks.
-    pub fn over(
-        kind: ModelKind,
+    pub fn of(
+        fe: &Solved,
+        lumped: &Solved,
         design: &Design,
         rotors: &Rotors,
         done: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, ModalError> {
-        let mut modes = |kind| -> Result<(Model, Modes), ModalError> {
-            let failed = |error| match error {
+        let mut modes = |solved: &Solved| {
+            solved.modes_over(&mut |_| done()).map_err(|error| match error {
                 ResponseError::Cancelled => ModalError::Cancelled,
-                error => ModalError::Response { kind, error },
-            };
-            let mut done = |_| done();
-            let model = Model::new(kind, design, rotors)?;
-            let pinion = rotor_modes_over(&model.pinion, Side::Pinion, &mut done).map_err(failed)?;
-            let both = [pinion, rotor_modes_over(&model.gear, Side::Gear, &mut done).map_err(failed)?];
-            let modes = Modes::with_rotor_modes_over(&model, &both, usize::MAX, &mut done).map_err(failed)?;
-            Ok((model, modes))
+                error => ModalError::Response { kind: solved.model.kind, error },
+            })
         };
-        let ((fe_model, fe), (lumped_model, lumped)) = (modes(ModelKind::Fe)?, modes(kind)?);
+        let (fe_model, lumped_model) = (Arc::clone(&fe.model), Arc::clone(&lumped.model));
+        let (fe, lumped) = (modes(fe)?, modes(lumped)?);
         let enhanced = Model::new(ModelKind::Enhanced, design, rotors)?;
         let compared = Modes(fe.0.iter().take(COMPARED_FE_MODES.max(2 * lumped.0.len())).cloned().collect());
         let pairs = pair_modes((&lumped_model, &lumped), (&fe_model, &compared), &enhanced);

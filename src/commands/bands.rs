@@ -1,6 +1,7 @@
 //! `bevelscope bands`: where a model disagrees with finite elements, and why.
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 
 use clap::ValueEnum;
 
@@ -222,10 +223,16 @@ impl From<&Causes> for BandOutput {
 impl<'a> Output<'a> {
     fn new(design: &'a Design, rotors: &Rotors, args: &Args) -> Result<Self, SolveError> {
         let frequency_hz = frequency_lines(&design.analysis);
-        let force = |kind| comparison::solve(kind, design, rotors, &frequency_hz).map(|spectrum| spectrum.mesh_force);
-        let (fe, lumped) = (force(ModelKind::Fe)?, force(args.model)?);
+        let solve = |kind| -> Result<_, SolveError> {
+            let solved = comparison::solved(kind, design, rotors)?;
+            let failed = |error| SolveError::Response { kind, error };
+            let spectrum = solved.spectrum(&frequency_hz).map_err(failed)?;
+            Ok((solved, spectrum.mesh_force))
+        };
+        let ((fe_solved, fe), (lumped_solved, lumped)) = (solve(ModelKind::Fe)?, solve(args.model)?);
         let found = disagreement_bands(&frequency_hz, &lumped, &fe, args.tolerance);
-        let modes = ModalComparison::new(args.model, design, rotors)?;
+        let go_on = &mut || ControlFlow::Continue(());
+        let modes = ModalComparison::of(&fe_solved, &lumped_solved, design, rotors, go_on)?;
         let output = |band| BandOutput::from(&Causes::new(&modes, rotors, band));
         let levels = sixth_octave_bands(&frequency_hz).into_iter().map(|band| LevelOutput {
             from_hz: band.low_hz,

@@ -96,7 +96,7 @@ pub fn natural_modes_over(
 /// Groups of coordinates that neither matrix couples: torsion, and often the axial motion and each plane of bending.
 ///
 /// Solved apart they cost a fraction of the whole, and a symmetric shaft's modes stay in their planes.
-fn uncoupled_parts(stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Vec<Vec<usize>> {
+pub fn uncoupled_parts(stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Vec<Vec<usize>> {
     let n = stiffness.nrows();
     let mut group: Vec<Option<usize>> = vec![None; n];
     let mut parts: Vec<Vec<usize>> = Vec::new();

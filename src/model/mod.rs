@@ -13,6 +13,7 @@ mod reduced;
 mod tridiagonal;
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
@@ -55,7 +56,7 @@ impl Coordinate {
 #[derive(Debug, Clone)]
 pub struct Reduction {
     /// The finite element rotor
-    pub full: RotorModel,
+    pub full: Arc<RotorModel>,
     /// Displacements of its coordinates for a unit of each reduced one
     pub basis: DMatrix<f64>,
 }

@@ -4,10 +4,11 @@
 //! (Guyan 1965) model; with all of them it is the finite element rotor in other coordinates.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use super::eigen::{RotorModes, WorkDone, natural_modes_over};
+use super::eigen::{RotorModes, WorkDone, natural_modes_over, uncoupled_parts};
 use super::tridiagonal::QrError;
 use super::{Coordinate, ModelError, Reduction, RotorModel, fe, lumped};
 use crate::design::{Design, Side};
@@ -16,14 +17,12 @@ use crate::rotor::{Motion, Rotor};
 /// The static shapes and all fixed-interface modes of one rotor, from which any number of modes can be kept.
 #[derive(Debug, Clone)]
 pub struct CraigBampton {
-    full: RotorModel,
+    full: Arc<RotorModel>,
     /// K of the interface: that of the lumped models, since static condensation is exact; x, y, z, thx, thy, thz of the mesh station, then
     /// the drive if any
     interface_stiffness: DMatrix<f64>,
     /// phi^T K phi of the fixed-interface modes, ascending in frequency
     modal_stiffness: Vec<f64>,
-    /// M over interface and modes
-    mass: DMatrix<f64>,
     mesh_vector: DVector<f64>,
     /// Displacements of the finite element coordinates: static shapes for unit motion of each interface coordinate, then the modes
     basis: DMatrix<f64>,
@@ -79,17 +78,15 @@ impl CraigBampton {
         let pushed = basis.columns(0, held) * under_mesh_force(&interface_stiffness, &mesh_vector)?;
         let modal_mass: Vec<f64> = order.iter().map(|&mode| modes.mass[mode]).collect();
         join_equal(&mut basis, held, &modal_mass, &(&full.mass * pushed));
-        let mass = basis.tr_mul(&(&full.mass * &basis));
-        if !mass.iter().all(|entry| entry.is_finite()) {
+        if !basis.iter().all(|entry| entry.is_finite()) {
             return None;
         }
         Some(Self {
             interface_stiffness,
             modal_stiffness: order.iter().map(|&mode| modes.stiffness[mode]).collect(),
-            mass: (&mass + mass.transpose()) * 0.5,
             mesh_vector: mesh_vector.resize_vertically(basis.ncols(), 0.0),
             basis,
-            full,
+            full: Arc::new(full),
         })
     }
 
@@ -113,19 +110,19 @@ impl CraigBampton {
         for (i, kappa) in self.modal_stiffness.iter().take(modes).enumerate() {
             stiffness[(interface + i, interface + i)] = *kappa;
         }
+        let basis = self.basis.columns(0, n).into_owned();
+        // of the modes that are kept: those of all would take longer than to find them
+        let mass = basis.tr_mul(&(&self.full.mass * &basis));
         let station = self.full.mesh_station;
         let at_mesh = Motion::ALL.into_iter().map(|motion| Coordinate::Station(station, motion));
         let held = (0..modes).map(Coordinate::FixedInterfaceMode);
         RotorModel {
             stiffness,
-            mass: self.mass.view((0, 0), (n, n)).into_owned(),
+            mass: (&mass + mass.transpose()) * 0.5,
             mesh_vector: self.mesh_vector.rows(0, n).into_owned(),
             coordinates: at_mesh.chain(self.full.drive().map(|_| Coordinate::Drive)).chain(held).collect(),
             mesh_station: station,
-            reduction: Some(Box::new(Reduction {
-                full: self.full.clone(),
-                basis: self.basis.columns(0, n).into_owned(),
-            })),
+            reduction: Some(Box::new(Reduction { full: Arc::clone(&self.full), basis })),
         }
     }
 }
@@ -193,17 +190,19 @@ impl Parted {
     /// Displacements of all coordinates for unit motion of each of the interface: - `K_ii`^-1 `K_ib` inside.
     fn static_shapes(&self) -> Option<DMatrix<f64>> {
         let Self { interface, interior, inside, across, .. } = self;
-        let n = inside.nrows();
-        let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(i, i)].sqrt());
-        let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(i, j)] * scale[j]);
-        let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
-        let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(i, j)]);
-        factor.solve_mut(&mut shapes);
-        let mut whole = DMatrix::zeros(n + interface.len(), interface.len());
+        let mut whole = DMatrix::zeros(interior.len() + interface.len(), interface.len());
         for (column, &i) in interface.iter().enumerate() {
             whole[(i, column)] = 1.0;
-            for (row, &inner) in interior.iter().enumerate() {
-                whole[(inner, column)] = scale[row] * shapes[(row, column)];
+        }
+        for part in uncoupled_parts(inside, inside) {
+            let n = part.len();
+            let scale = DVector::from_fn(n, |i, _| 1.0 / inside[(part[i], part[i])].sqrt());
+            let scaled = DMatrix::from_fn(n, n, |i, j| scale[i] * inside[(part[i], part[j])] * scale[j]);
+            let factor: Cholesky<f64, Dyn> = Cholesky::new(scaled)?;
+            let mut shapes = DMatrix::from_fn(n, across.ncols(), |i, j| -scale[i] * across[(part[i], j)]);
+            factor.solve_mut(&mut shapes);
+            for (row, &inner) in part.iter().enumerate() {
+                whole.set_row(interior[inner], &(shapes.row(row) * scale[row]));
             }
         }
         Some(whole)

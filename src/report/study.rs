@@ -1,13 +1,15 @@
 //! All that a report says of one design.
 
+use std::ops::ControlFlow;
+
 use crate::agreement::{
     Causes, ModalComparison, ModalError, ModePair, band_level_db, difference_db, disagreement_bands, pair_modes,
     sixth_octave_bands,
 };
 use crate::comparison::{self, Comparison, SolveError};
 use crate::design::Design;
-use crate::model::{Model, ModelKind, Rotors};
-use crate::response::{Compliance, Modes, ResponseError, Spectrum, both_rotor_modes, refined_lines};
+use crate::model::Rotors;
+use crate::response::{Modes, ResponseError, Solved, Spectrum, refined_lines};
 
 /// A design solved for a report.
 #[derive(Debug)]
@@ -53,15 +55,16 @@ impl Study {
     ///
     /// As [`comparison::compare`].
     pub fn new(design: &Design, tolerance_db: f64) -> Result<Self, SolveError> {
-        let comparison = comparison::compare(design)?;
         let rotors = Rotors::new(design)?;
-        let modes = ModalComparison::new(ModelKind::Enhanced, design, &rotors)?;
-        let basic = Model::new(ModelKind::Basic, design, &rotors)?;
-        let failed = |kind| move |error: ResponseError| ModalError::Response { kind, error };
-        let basic_modes = Modes::new(&basic, usize::MAX).map_err(failed(ModelKind::Basic))?;
+        let go_on = || ControlFlow::Continue(());
+        let (comparison, solved) = comparison::compare_solved(design, &rotors, None, &mut |_| go_on())?;
+        let [fe, enhanced, basic] = &solved;
+        let modes = ModalComparison::of(fe, enhanced, design, &rotors, &mut { go_on })?;
+        let failed = |error: ResponseError| ModalError::Response { kind: basic.model.kind, error };
+        let basic_modes = basic.modes_over(&mut |_| go_on()).map_err(failed)?;
         let compared = Modes(modes.fe.0.iter().take(crate::agreement::COMPARED_FE_MODES).cloned().collect());
-        let basic_pairs = pair_modes((&basic, &basic_modes), (&modes.fe_model, &compared), &modes.lumped_model);
-        let models = [(&modes.fe_model, &modes.fe), (&modes.lumped_model, &modes.lumped), (&basic, &basic_modes)];
+        let basic_pairs = pair_modes((&basic.model, &basic_modes), (&fe.model, &compared), &enhanced.model);
+        let models = [(fe, &modes.fe), (enhanced, &modes.lumped), (basic, &basic_modes)];
         let curves = Curves::new(&comparison, models)?;
         let Comparison { frequency_hz, fe, enhanced, .. } = &comparison;
         let bands = disagreement_bands(frequency_hz, &enhanced.mesh_force, &fe.mesh_force, tolerance_db);
@@ -72,7 +75,7 @@ impl Study {
 }
 
 impl Curves {
-    fn new(comparison: &Comparison, models: [(&Model, &Modes); 3]) -> Result<Self, SolveError> {
+    fn new(comparison: &Comparison, models: [(&Solved, &Modes); 3]) -> Result<Self, SolveError> {
         let lines = &comparison.frequency_hz;
         let (Some(&low), Some(&high)) = (lines.first(), lines.last()) else {
             return Ok(Self {
@@ -84,11 +87,9 @@ impl Curves {
         };
         let mut added = Vec::new();
         let mut compliances = Vec::new();
-        for (model, modes) in models {
-            let failed = |error| SolveError::Response { kind: model.kind, error };
-            let uncoupled = both_rotor_modes(model).map_err(failed)?;
-            let compliance = Compliance::with_modes(model, &uncoupled);
-            added.extend(refined_lines(model, &compliance, modes, &uncoupled, [low, high]));
+        for (solved, modes) in models {
+            let (hz, compliance) = (modes.0.iter().map(|mode| mode.frequency_hz), solved.compliance());
+            added.extend(refined_lines(solved, &compliance, hz, [low, high]));
             compliances.push(compliance);
         }
         added.sort_by(f64::total_cmp);
@@ -98,7 +99,7 @@ impl Curves {
         frequency_hz.sort_by(f64::total_cmp);
         let solved = [&comparison.fe, &comparison.enhanced, &comparison.basic];
         let mut levels = Vec::new();
-        for (((model, _), compliance), on_lines) in models.into_iter().zip(&compliances).zip(solved) {
+        for (((Solved { model, .. }, _), compliance), on_lines) in models.into_iter().zip(&compliances).zip(solved) {
             let mut between = Spectrum::with_capacity(added.len(), model.coordinates());
             let failed = |error| SolveError::Response { kind: model.kind, error };
             between.extend(model, compliance, &added).map_err(failed)?;

@@ -4,13 +4,10 @@
 //! F_m = - k_m* e / (1 + alpha k_m*). In the real modes of each rotor alpha is a sum of one term a mode, whatever the damping ratios,
 //! the mesh stiffness or e.
 
-use std::ops::ControlFlow;
-
 use num_complex::Complex64;
 
-use super::{ResponseError, rotor_modes_over};
-use crate::design::Side;
-use crate::model::{Model, RotorModes, WorkDone};
+use super::{ResponseError, both_rotor_modes};
+use crate::model::{Model, RotorModes};
 
 /// Compliance of both rotors at the mesh as a sum over their modes.
 #[derive(Debug, Clone)]
@@ -33,17 +30,7 @@ impl Compliance {
     ///
     /// As [`super::rotor_modes`].
     pub fn new(model: &Model) -> Result<Self, ResponseError> {
-        Self::over(model, &mut |_| ControlFlow::Continue(()))
-    }
-
-    /// As [`Compliance::new`]; `done` hears of the work, [`crate::model::modes_work`] of both rotors in all.
-    ///
-    /// # Errors
-    ///
-    /// As [`rotor_modes_over`].
-    pub fn over(model: &Model, done: &mut WorkDone<'_>) -> Result<Self, ResponseError> {
-        let pinion = rotor_modes_over(&model.pinion, Side::Pinion, done)?;
-        Ok(Self::with_modes(model, &[pinion, rotor_modes_over(&model.gear, Side::Gear, done)?]))
+        Ok(Self::with_modes(model, &both_rotor_modes(model)?))
     }
 
     /// From modes that are known.

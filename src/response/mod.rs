@@ -9,7 +9,9 @@ mod modes;
 mod refined;
 mod rotor_modes;
 mod secular;
+mod solved;
 mod spectrum;
+mod uncoupled;
 
 pub use bearing_forces::{BearingForces, BearingSpectrum};
 pub use character::{Dominant, MotionGroup};
@@ -19,6 +21,7 @@ pub use direct::direct_spectrum;
 pub use modes::{EnergyShare, Mode, Modes};
 pub use refined::refined_lines;
 pub use rotor_modes::{both_rotor_modes, rotor_modes, rotor_modes_over};
+pub use solved::Solved;
 pub use spectrum::{Spectrum, frequency_lines};
 
 use crate::design::Side;

@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, DVectorView};
 
-use super::secular::{self, Eigenvalue};
-use super::{ResponseError, both_rotor_modes};
-use crate::model::{Model, RotorModel, RotorModes, WorkDone};
+use super::uncoupled::{Mixer, Uncoupled};
+use super::{ResponseError, both_rotor_modes, secular};
+use crate::model::{Coordinate, Model, RotorModel, RotorModes, WorkDone};
 use crate::rotor::Motion;
 
 /// Shares of a mode's kinetic energy in the motions of one rotor.
@@ -22,6 +22,9 @@ pub struct EnergyShare {
     /// thy and the drive
     pub torsion: f64,
 }
+
+/// Modes whose shapes are found together.
+const MODES_A_STEP: usize = 32;
 
 /// Below this a mode is the rigid rotation, Hz.
 pub(super) const RIGID_HZ: f64 = 0.01;
@@ -65,7 +68,7 @@ impl Modes {
         Self::with_rotor_modes_over(model, rotors, most, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// As [`Modes::with_rotor_modes`]; `done` hears of each mode, from 0 to 1.
+    /// As [`Modes::with_rotor_modes`]; `done` hears how far it is, from 0 to 1, every few modes.
     ///
     /// # Errors
     ///
@@ -76,64 +79,104 @@ impl Modes {
         most: usize,
         done: &mut WorkDone<'_>,
     ) -> Result<Self, ResponseError> {
-        let mut uncoupled = Uncoupled::new(model, rotors);
-        uncoupled.join_equal();
-        uncoupled.drop_uncoupled(model.mesh_stiffness);
-        let Uncoupled { lambda, g, shapes } = &uncoupled;
-        let found = secular::eigenvalues(lambda, g, model.mesh_stiffness);
-        let mode = |eigenvalue: &Eigenvalue| -> Result<Mode, ResponseError> {
-            let shape = match *eigenvalue {
-                Eigenvalue::Kept(i) => shapes.column(i).into_owned(),
-                Eigenvalue::Moved { origin, offset } => {
-                    let weight =
-                        |r: usize| if g[r] == 0.0 { 0.0 } else { g[r] / ((lambda[r] - lambda[origin]) - offset) };
-                    let weights = DVector::from_fn(lambda.len(), |r, _| weight(r));
-                    shapes * weights.normalize()
-                }
-            };
-            let frequency_hz = eigenvalue.value(lambda).max(0.0).sqrt() / TAU;
-            let (top, bottom) = (model.pinion.coordinates.len(), model.gear.coordinates.len());
-            let pinion = energies(&model.pinion, &shape.rows(0, top).into_owned());
-            let gear = energies(&model.gear, &shape.rows(top, bottom).into_owned());
-            let total: f64 = pinion.iter().chain(&gear).map(|(_, energy)| energy).sum();
-            let motions = [&pinion, &gear].map(|energies| shares(energies, total));
-            let shape = shape / total.sqrt();
-            let h_p = model.pinion.mesh_vector.dot(&shape.rows(0, top));
-            let h_g = model.gear.mesh_vector.dot(&shape.rows(top, bottom));
-            let participation = (h_p + h_g).powi(2);
-            let lambda = eigenvalue.value(lambda);
-            // the rigid rotation does not strain anything, and what rounding leaves of it is no share
-            let at_rest = frequency_hz < RIGID_HZ;
-            let mesh_strain_share =
-                if at_rest { 0.0 } else { (model.mesh_stiffness * participation / lambda).clamp(0.0, 1.0) };
-            let [pinion, gear] = motions.map(EnergyShare::from);
-            let mode = Mode { frequency_hz, pinion, gear, motions, mesh_strain_share, participation, shape };
-            if frequency_hz.is_finite() && total > 0.0 && mode.shape.iter().all(|entry| entry.is_finite()) {
-                Ok(mode)
-            } else {
-                Err(ResponseError::ModesNotFinite)
-            }
-        };
+        let uncoupled = Uncoupled::new(model, rotors);
+        let found = secular::eigenvalues(&uncoupled.lambda, &uncoupled.g, model.mesh_stiffness);
         let count = found.len().min(most);
+        let mixer = Mixer::new(&uncoupled);
+        let kinetic = model.rotors().map(Kinetic::new);
         let mut modes = Vec::with_capacity(count);
-        for (i, eigenvalue) in found.iter().take(count).enumerate() {
-            if done(i as f64 / count as f64).is_break() {
+        for some in found[..count].chunks(MODES_A_STEP) {
+            if done(modes.len() as f64 / count as f64).is_break() {
                 return Err(ResponseError::Cancelled);
             }
-            modes.push(mode(eigenvalue)?);
+            for (eigenvalue, shape) in some.iter().zip(mixer.shapes(some).column_iter()) {
+                modes.push(Mode::new(model, &kinetic, eigenvalue.value(&uncoupled.lambda), &shape.into_owned())?);
+            }
         }
         Ok(Self(modes))
     }
+
+    /// Their frequencies alone, Hz, ascending.
+    pub fn frequencies(model: &Model, rotors: &[RotorModes; 2]) -> Vec<f64> {
+        let Uncoupled { lambda, g, .. } = Uncoupled::new(model, rotors);
+        let found = secular::eigenvalues(&lambda, &g, model.mesh_stiffness);
+        found.iter().map(|eigenvalue| frequency_hz(eigenvalue.value(&lambda))).collect()
+    }
 }
 
-/// Kinetic energy phi_i (M phi)_i of each motion of a rotor; a reduced rotor's are those of the whole shaft that it stands for.
-fn energies(rotor: &RotorModel, shape: &DVector<f64>) -> Vec<(Motion, f64)> {
-    if let Some(reduction) = &rotor.reduction {
-        return energies(&reduction.full, &(&reduction.basis * shape));
+fn frequency_hz(lambda: f64) -> f64 {
+    lambda.max(0.0).sqrt() / TAU
+}
+
+impl Mode {
+    /// With lambda (rad^2/s^2) and a shape of any scale.
+    fn new(
+        model: &Model,
+        [pinion, gear]: &[Kinetic<'_>; 2],
+        lambda: f64,
+        shape: &DVector<f64>,
+    ) -> Result<Self, ResponseError> {
+        let frequency_hz = frequency_hz(lambda);
+        let (top, bottom) = (model.pinion.coordinates.len(), model.gear.coordinates.len());
+        let pinion = pinion.energies(&shape.rows(0, top).into_owned());
+        let gear = gear.energies(&shape.rows(top, bottom).into_owned());
+        let total: f64 = pinion.iter().chain(&gear).map(|(_, energy)| energy).sum();
+        let motions = [&pinion, &gear].map(|energies| shares(energies, total));
+        let shape = shape / total.sqrt();
+        let h_p = model.pinion.mesh_vector.dot(&shape.rows(0, top));
+        let h_g = model.gear.mesh_vector.dot(&shape.rows(top, bottom));
+        let participation = (h_p + h_g).powi(2);
+        // the rigid rotation does not strain anything, and what rounding leaves of it is no share
+        let at_rest = frequency_hz < RIGID_HZ;
+        let mesh_strain_share =
+            if at_rest { 0.0 } else { (model.mesh_stiffness * participation / lambda).clamp(0.0, 1.0) };
+        let [pinion, gear] = motions.map(EnergyShare::from);
+        if !(frequency_hz.is_finite() && total > 0.0 && shape.iter().all(|entry| entry.is_finite())) {
+            return Err(ResponseError::ModesNotFinite);
+        }
+        Ok(Self { frequency_hz, pinion, gear, motions, mesh_strain_share, participation, shape })
     }
-    let products = shape.component_mul(&(&rotor.mass * shape));
-    let motions = rotor.coordinates.iter().zip(products.iter());
-    motions.filter_map(|(coordinate, energy)| Some((coordinate.motion()?, *energy))).collect()
+}
+
+/// Kinetic energy of one rotor; a reduced rotor's is that of the whole shaft that it stands for.
+struct Kinetic<'a> {
+    coordinates: &'a [Coordinate],
+    basis: Option<&'a DMatrix<f64>>,
+    /// Rows and entries of each column of M that are not zero: a station has mass in common with its neighbours only
+    mass: Vec<Vec<(usize, f64)>>,
+}
+
+impl<'a> Kinetic<'a> {
+    fn new(rotor: &'a RotorModel) -> Self {
+        let reduction = rotor.reduction.as_deref();
+        let RotorModel { mass, coordinates, .. } = reduction.map_or(rotor, |reduction| &reduction.full);
+        let entries = |column: DVectorView<'_, f64>| {
+            column.iter().copied().enumerate().filter(|(_, entry)| *entry != 0.0).collect()
+        };
+        Self {
+            coordinates,
+            basis: reduction.map(|reduction| &reduction.basis),
+            mass: mass.column_iter().map(entries).collect(),
+        }
+    }
+
+    /// phi_i (M phi)_i with the motion of each coordinate.
+    fn energies(&self, shape: &DVector<f64>) -> Vec<(Motion, f64)> {
+        let whole = self.basis.map(|basis| basis * shape);
+        let shape = whole.as_ref().unwrap_or(shape);
+        let mut momentum = vec![0.0; shape.len()];
+        for (entries, value) in self.mass.iter().zip(shape.iter()) {
+            for &(row, entry) in entries {
+                momentum[row] += entry * value;
+            }
+        }
+        let energies = shape.iter().zip(momentum).map(|(value, momentum)| value * momentum);
+        self.coordinates
+            .iter()
+            .zip(energies)
+            .filter_map(|(coordinate, energy)| Some((coordinate.motion()?, energy)))
+            .collect()
+    }
 }
 
 fn shares(energies: &[(Motion, f64)], total: f64) -> [f64; 6] {
@@ -147,83 +190,5 @@ fn shares(energies: &[(Motion, f64)], total: f64) -> [f64; 6] {
 impl From<[f64; 6]> for EnergyShare {
     fn from([x, y, z, thx, thy, thz]: [f64; 6]) -> Self {
         Self { lateral: x + z, axial: y, tilt: thx + thz, torsion: thy }
-    }
-}
-
-/// Mass-normalised modes of both rotors without the mesh, ascending.
-struct Uncoupled {
-    lambda: Vec<f64>,
-    /// phi . h
-    g: Vec<f64>,
-    /// One column a mode
-    shapes: DMatrix<f64>,
-}
-
-impl Uncoupled {
-    fn new(model: &Model, rotors: &[RotorModes; 2]) -> Self {
-        let n = model.coordinates();
-        let mut columns: Vec<(f64, f64, DVector<f64>)> = Vec::with_capacity(n);
-        let mut at = 0;
-        for (modes, rotor) in rotors.iter().zip(model.rotors()) {
-            let g = modes.participation(&rotor.mesh_vector);
-            for (r, (&kappa, &theta)) in modes.stiffness.iter().zip(&modes.mass).enumerate() {
-                // no mass, no frequency
-                if theta <= 0.0 {
-                    continue;
-                }
-                let scale = 1.0 / theta.sqrt();
-                let mut shape = DVector::zeros(n);
-                shape.rows_mut(at, rotor.coordinates.len()).axpy(scale, &modes.shapes.column(r), 0.0);
-                columns.push((kappa / theta, g[r] * scale, shape));
-            }
-            at += rotor.coordinates.len();
-        }
-        columns.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut shapes = DMatrix::zeros(n, columns.len());
-        for (target, column) in columns.iter().enumerate() {
-            shapes.set_column(target, &column.2);
-        }
-        Self {
-            lambda: columns.iter().map(|column| column.0).collect(),
-            g: columns.iter().map(|column| column.1).collect(),
-            shapes,
-        }
-    }
-
-    /// Of modes with one frequency (both planes of an isotropic shaft, both free rotations) any mixture is a mode: all of the mesh's grip goes to
-    /// one of them, and the others stay as they are.
-    fn join_equal(&mut self) {
-        const EQUAL: f64 = 1e-13;
-        /// rad^2/s^2: what rounding leaves of a frequency of a few hertz
-        const FLOOR: f64 = 1e7;
-        let mut gripped: Option<usize> = None;
-        for i in 0..self.lambda.len() {
-            if self.g[i] == 0.0 {
-                continue;
-            }
-            let equal = |j: &usize| self.lambda[i] - self.lambda[*j] <= EQUAL * (self.lambda[i] + FLOOR);
-            if let Some(j) = gripped.filter(equal) {
-                let (a, b) = (self.g[i], self.g[j]);
-                let length = a.hypot(b);
-                let (first, second) = (self.shapes.column(i).into_owned(), self.shapes.column(j).into_owned());
-                self.shapes.set_column(i, &((&first * a + &second * b) / length));
-                self.shapes.set_column(j, &((&second * a - &first * b) / length));
-                self.g[i] = length;
-                self.g[j] = 0.0;
-            }
-            gripped = Some(i);
-        }
-    }
-
-    /// Modes that the mesh cannot feel stay as they are.
-    ///
-    /// Judged by what the spring mixes into their shape, k g_i g_j / lambda_i: their frequency moves by the square of that only.
-    fn drop_uncoupled(&mut self, mesh_stiffness: f64) {
-        let all = self.g.iter().map(|g| g * g).sum::<f64>().sqrt();
-        for (g, lambda) in self.g.iter_mut().zip(&self.lambda) {
-            if mesh_stiffness * g.abs() * all <= f64::EPSILON * lambda {
-                *g = 0.0;
-            }
-        }
     }
 }

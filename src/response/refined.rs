@@ -6,8 +6,8 @@
 
 use std::f64::consts::TAU;
 
-use super::{Compliance, Modes};
-use crate::model::{Model, RotorModes};
+use super::{Compliance, Solved};
+use crate::model::Model;
 
 /// Places around a mode at which |F_m| is looked at, in half-power half-widths.
 const AROUND: [f64; 13] = [-8.0, -4.0, -2.5, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.5, 4.0, 8.0];
@@ -18,21 +18,19 @@ const CLOSE: f64 = 1e-8;
 
 /// Lines (Hz, ascending) on the maxima and minima of the mesh force strictly inside `range` (Hz), and six on the flanks of each.
 ///
-/// `modes` are all modes with the mesh, `uncoupled` those of both rotors without, `compliance` their sum. There are at most 13 extrema a mode with
+/// `with_mesh` are the frequencies of all modes with the mesh, Hz, and `compliance` is the model's. There are at most 13 extrema a mode with
 /// or without mesh in the range, in practice about one.
 pub fn refined_lines(
-    model: &Model,
+    solved: &Solved,
     compliance: &Compliance,
-    modes: &Modes,
-    uncoupled: &[RotorModes; 2],
+    with_mesh: impl IntoIterator<Item = f64>,
     range: [f64; 2],
 ) -> Vec<f64> {
-    let [low, high] = range;
-    let with_mesh = modes.0.iter().map(|mode| mode.frequency_hz);
-    let without = uncoupled.iter().flat_map(|modes| modes.stiffness.iter().zip(&modes.mass));
+    let ([low, high], model) = (range, &*solved.model);
+    let without = solved.rotor_modes.iter().flat_map(|modes| modes.stiffness.iter().zip(&modes.mass));
     let without = without.map(|(kappa, theta)| (kappa / theta).max(0.0).sqrt() / TAU);
     let mut samples = vec![low, high];
-    for frequency in with_mesh.chain(without).filter(|f| f.is_finite() && *f > 0.0) {
+    for frequency in with_mesh.into_iter().chain(without).filter(|f| f.is_finite() && *f > 0.0) {
         let width = half_width(model, frequency);
         samples.extend(AROUND.map(|place| frequency + place * width).into_iter().filter(|f| (low..=high).contains(f)));
     }

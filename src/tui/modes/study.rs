@@ -9,11 +9,9 @@ use num_complex::Complex64;
 use super::LEVER;
 use crate::agreement::{COMPARED_FE_MODES, ModePair, mac_matrix, pair_modes};
 use crate::comparison::SolveError;
-use crate::design::{Design, Side};
-use crate::model::{Model, ModelError, ModelKind, Recovery, RotorModes, Rotors};
-use crate::response::{
-    Compliance, Modes, ResponseError, Spectrum, StationShape, mode_shape, operating_deflection, rotor_modes_over,
-};
+use crate::design::Design;
+use crate::model::{Model, ModelError, ModelKind, Recovery, Rotors};
+use crate::response::{Modes, ResponseError, Solved, StationShape, mode_shape, operating_deflection};
 
 /// How many models are held against finite elements.
 pub const MODELS: usize = 3;
@@ -49,8 +47,7 @@ pub struct ModelStudy {
     pub modes: Modes,
     /// At the stations of both shafts, pinion first, phi^T M phi = 1 kg m^2
     pub shapes: Vec<[StationShape<f64>; 2]>,
-    model: Model,
-    rotor_modes: [RotorModes; 2],
+    solved: Solved,
     recovery: [Recovery; 2],
 }
 
@@ -85,9 +82,9 @@ impl Study {
         let mut fe = solved(ModelKind::Fe)?;
         fe.shapes.iter_mut().filter(|shape| largest_entry(shape) < 0.0).for_each(turn);
         let [enhanced, basic] = [solved(ModelKind::Enhanced)?, solved(ModelKind::Basic)?];
-        let is_quick = fe.model.coordinates() <= AT_ONCE;
+        let is_quick = fe.solved.model.coordinates() <= AT_ONCE;
         let reduced = is_quick.then(|| solved(ModelKind::Reduced(reduced))).transpose()?;
-        let motions = enhanced.model.clone();
+        let motions = Arc::clone(&enhanced.solved.model);
         let beside = |own| Arc::new(SmallStudy::new(own, &fe, &motions));
         let (lumped, reduced) = ([enhanced, basic].map(beside), reduced.map(beside));
         Ok(Self { design: design.clone(), hash: None, lumped, reduced, fe: Arc::new(fe) })
@@ -101,7 +98,7 @@ impl Study {
     pub fn with_reduced(&self, reduced: usize, wanted: &dyn Fn() -> bool) -> Result<Self, SolveError> {
         let rotors = Rotors::new(&self.design)?;
         let own = ModelStudy::new(ModelKind::Reduced(reduced), &self.design, &rotors, wanted)?;
-        let reduced = Some(Arc::new(SmallStudy::new(own, &self.fe, &self.lumped[0].own.model)));
+        let reduced = Some(Arc::new(SmallStudy::new(own, &self.fe, &self.lumped[0].own.solved.model)));
         Ok(Self { reduced, ..self.clone() })
     }
 
@@ -165,34 +162,32 @@ impl ModelStudy {
         if done(0.0).is_break() {
             return Err(SolveError::Cancelled);
         }
-        let pinion = rotor_modes_over(&model.pinion, Side::Pinion, &mut done).map_err(failed)?;
-        let rotor_modes = [pinion, rotor_modes_over(&model.gear, Side::Gear, &mut done).map_err(failed)?];
-        let modes = Modes::with_rotor_modes(&model, &rotor_modes, COMPARED_FE_MODES).map_err(failed)?;
+        let solved = Solved::over(model, &mut done).map_err(failed)?;
+        let Solved { model, rotor_modes } = &solved;
+        let modes = Modes::with_rotor_modes(model, rotor_modes, COMPARED_FE_MODES).map_err(failed)?;
         if done(0.0).is_break() {
             return Err(SolveError::Cancelled);
         }
         let recovery = model.recovery(design, rotors)?;
-        let shapes = modes.0.iter().map(|mode| mode_shape(&model, &recovery, &mode.shape)).collect();
-        Ok(Self { modes, shapes, model, rotor_modes, recovery })
+        let shapes = modes.0.iter().map(|mode| mode_shape(model, &recovery, &mode.shape)).collect();
+        Ok(Self { modes, shapes, solved, recovery })
     }
 
     pub fn kind(&self) -> ModelKind {
-        self.model.kind
+        self.solved.model.kind
     }
 
     fn both(&self) -> (&Model, &Modes) {
-        (&self.model, &self.modes)
+        (&self.solved.model, &self.modes)
     }
 
     /// Mesh force and displacements.
     fn deflection(&self, at_hz: f64) -> Result<Deflection, SolveError> {
-        let kind = self.model.kind;
-        let mut line = Spectrum::with_capacity(1, self.model.coordinates());
-        line.extend(&self.model, &Compliance::with_modes(&self.model, &self.rotor_modes), &[at_hz])
-            .map_err(|error| SolveError::Response { kind, error })?;
-        let force = line.mesh_force[0];
+        let Solved { model, rotor_modes } = &self.solved;
+        let line = self.solved.spectrum(&[at_hz]);
+        let force = line.map_err(|error| SolveError::Response { kind: model.kind, error })?.mesh_force[0];
         let omega = std::f64::consts::TAU * at_hz;
-        let shapes = operating_deflection(&self.model, &self.rotor_modes, &self.recovery, omega, force);
+        let shapes = operating_deflection(model, rotor_modes, &self.recovery, omega, force);
         Ok(Deflection { force, shapes })
     }
 }

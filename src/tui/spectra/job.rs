@@ -157,9 +157,13 @@ impl SpectraJob {
         if !wanted() {
             return Err(Ended::Cancelled);
         }
-        if self.known.modes_of(self.against).is_none() && !failed.contains(&self.against) {
+        let solved = |kind| self.known.model(kind).map(|model| model.solved().clone());
+        if self.known.modes_of(self.against).is_none()
+            && !failed.contains(&self.against)
+            && let (Some(fe), Some(lumped)) = (solved(ModelKind::Fe), solved(self.against))
+        {
             let mut done = || if wanted() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-            let modes = match ModalComparison::over(self.against, &subject.design, &subject.rotors, &mut done) {
+            let modes = match ModalComparison::of(&fe, &lumped, &subject.design, &subject.rotors, &mut done) {
                 Err(ModalError::Cancelled) => return Err(Ended::Cancelled),
                 modes => modes.map_err(SolveError::from)?,
             };

@@ -9,11 +9,9 @@ use num_complex::Complex64;
 use super::curve::Curve;
 use super::quantity::{Part, Quantity};
 use crate::comparison::{Observer, SolveError};
-use crate::design::{Design, Side};
-use crate::model::{Model, ModelKind, RecoveryKind, RotorModes, Rotors};
-use crate::response::{
-    BearingForces, Compliance, Modes, ResponseError, Spectrum, frequency_lines, refined_lines, rotor_modes_over,
-};
+use crate::design::Design;
+use crate::model::{Model, ModelKind, RecoveryKind, Rotors};
+use crate::response::{BearingForces, ResponseError, Solved, Spectrum, frequency_lines, refined_lines};
 
 /// The design that is looked at.
 #[derive(Debug)]
@@ -47,8 +45,7 @@ pub struct ModelCurves {
     /// Whether the latter are in it.
     pub is_refined: bool,
     pub curves: Vec<Arc<Curve>>,
-    model: Arc<Model>,
-    modes: Arc<[RotorModes; 2]>,
+    solved: Solved,
     /// On the analysis lines
     spectrum: Arc<Spectrum>,
     /// On those that are drawn
@@ -56,6 +53,11 @@ pub struct ModelCurves {
 }
 
 impl ModelCurves {
+    /// The model that the curves are of.
+    pub fn solved(&self) -> &Solved {
+        &self.solved
+    }
+
     pub fn curve(&self, quantity: Quantity) -> Option<&Arc<Curve>> {
         self.curves.iter().find(|curve| curve.quantity == quantity)
     }
@@ -68,11 +70,8 @@ impl ModelCurves {
     pub fn new(subject: &Subject, kind: ModelKind, observer: &mut Observer<'_>) -> Result<Self, SolveError> {
         let failed = |error| failed(kind, error);
         let model = Model::new(kind, &subject.design, &subject.rotors)?;
-        let mut done = |_| observer(0.0);
-        let pinion = rotor_modes_over(&model.pinion, Side::Pinion, &mut done).map_err(failed)?;
-        let gear = rotor_modes_over(&model.gear, Side::Gear, &mut done).map_err(failed)?;
-        let modes = [pinion, gear];
-        let spectrum = Arc::new(spectrum(&model, &modes, &subject.frequency_hz, observer)?);
+        let solved = Solved::over(model, &mut |_| observer(0.0)).map_err(failed)?;
+        let spectrum = Arc::new(spectrum(&solved, &subject.frequency_hz, observer)?);
         let drawn_hz = Arc::new(subject.frequency_hz.clone());
         let mut out = Self {
             kind,
@@ -80,8 +79,7 @@ impl ModelCurves {
             drawn_hz,
             is_refined: false,
             curves: Vec::new(),
-            model: Arc::new(model),
-            modes: Arc::new(modes),
+            solved,
             drawn: Arc::clone(&spectrum),
             spectrum,
         };
@@ -95,18 +93,13 @@ impl ModelCurves {
     ///
     /// As [`Self::new`].
     pub fn refined(&self, subject: &Subject, observer: &mut Observer<'_>) -> Result<Self, SolveError> {
-        let failed = |error| failed(self.kind, error);
-        // progress is that of the lines, which comes after it
-        let mut done = |_| observer(0.0);
-        let modes = Modes::with_rotor_modes_over(&self.model, &self.modes, usize::MAX, &mut done).map_err(failed)?;
-        let compliance = Compliance::with_modes(&self.model, &self.modes);
         let lines = &subject.frequency_hz;
         let range = [lines.first().copied().unwrap_or(0.0), lines.last().copied().unwrap_or(0.0)];
-        let mut drawn = refined_lines(&self.model, &compliance, &modes, &self.modes, range);
+        let mut drawn = refined_lines(&self.solved, &self.solved.compliance(), self.solved.frequencies(), range);
         drawn.extend(lines);
         drawn.sort_by(f64::total_cmp);
         drawn.dedup();
-        let spectrum = spectrum(&self.model, &self.modes, &drawn, observer)?;
+        let spectrum = spectrum(&self.solved, &drawn, observer)?;
         let mut out = Self {
             drawn_hz: Arc::new(drawn),
             drawn: Arc::new(spectrum),
@@ -126,8 +119,9 @@ impl ModelCurves {
     pub fn with(&self, subject: &Subject, quantity: Quantity, observer: &mut Observer<'_>) -> Result<Self, SolveError> {
         let mut out = self.shared();
         let Quantity::Bearing { bearing, part } = quantity else { return Ok(out) };
-        let recovery = self.model.recovery(&subject.design, &subject.rotors)?;
-        let forces = BearingForces::new(&self.model, &self.modes, &recovery);
+        let Solved { model, rotor_modes } = &self.solved;
+        let recovery = model.recovery(&subject.design, &subject.rotors)?;
+        let forces = BearingForces::new(model, rotor_modes, &recovery);
         let mut all = vec![Complex64::ZERO; 6 * forces.bearings.len()];
         let mut values = |lines: &[f64], spectrum: &Spectrum| -> Result<Vec<Complex64>, SolveError> {
             const LINES_A_STEP: usize = 8192;
@@ -137,7 +131,7 @@ impl ModelCurves {
                     return Err(SolveError::Cancelled);
                 }
                 let omega = TAU * frequency;
-                forces.at(omega, self.model.structural_factor(omega), force, &mut all);
+                forces.at(omega, model.structural_factor(omega), force, &mut all);
                 out.push(component(all.get(6 * bearing..).unwrap_or_default(), part));
             }
             Ok(out)
@@ -155,8 +149,7 @@ impl ModelCurves {
             drawn_hz: Arc::clone(&self.drawn_hz),
             is_refined: self.is_refined,
             curves: self.curves.clone(),
-            model: Arc::clone(&self.model),
-            modes: Arc::clone(&self.modes),
+            solved: self.solved.clone(),
             spectrum: Arc::clone(&self.spectrum),
             drawn: Arc::clone(&self.drawn),
         }
@@ -184,14 +177,9 @@ fn component(force: &[Complex64], part: Part) -> Complex64 {
     }
 }
 
-fn spectrum(
-    model: &Model,
-    modes: &[RotorModes; 2],
-    lines: &[f64],
-    observer: &mut Observer<'_>,
-) -> Result<Spectrum, SolveError> {
+fn spectrum(solved: &Solved, lines: &[f64], observer: &mut Observer<'_>) -> Result<Spectrum, SolveError> {
     const LINES_A_STEP: usize = 8192;
-    let compliance = Compliance::with_modes(model, modes);
+    let (model, compliance) = (&*solved.model, solved.compliance());
     let mut spectrum = Spectrum::with_capacity(lines.len(), model.coordinates());
     for (i, chunk) in lines.chunks(LINES_A_STEP).enumerate() {
         let done = (i * LINES_A_STEP) as f64 / lines.len() as f64;
