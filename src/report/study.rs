@@ -1,5 +1,7 @@
 //! All that a report says of one design.
 
+use std::ops::ControlFlow;
+
 use crate::agreement::{
     Causes, ModalComparison, ModalError, ModePair, band_level_db, difference_db, disagreement_bands, pair_modes,
     sixth_octave_bands,
@@ -53,8 +55,16 @@ impl Study {
     ///
     /// As [`comparison::compare`].
     pub fn new(design: &Design, tolerance_db: f64) -> Result<Self, SolveError> {
-        let comparison = comparison::compare(design)?;
-        let rotors = Rotors::new(design)?;
+        Self::of_rotors(design, Rotors::new(design)?, tolerance_db)
+    }
+
+    /// As [`new`](Self::new), of a design whose rotors are there already.
+    ///
+    /// # Errors
+    ///
+    /// As [`comparison::compare_rotors`].
+    pub fn of_rotors(design: &Design, rotors: Rotors, tolerance_db: f64) -> Result<Self, SolveError> {
+        let comparison = comparison::compare_rotors(design, &rotors, None, &mut |_| ControlFlow::Continue(()))?;
         let modes = ModalComparison::new(ModelKind::Enhanced, design, &rotors)?;
         let basic = Model::new(ModelKind::Basic, design, &rotors)?;
         let failed = |kind| move |error: ResponseError| ModalError::Response { kind, error };
