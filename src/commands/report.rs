@@ -2,10 +2,11 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use super::{CommandError, Status, input};
+use crate::agreement::TOLERANCE_DB;
 use crate::design::{Loaded, SaveError, hash, save, save_new};
 use crate::document::{Document, Source};
 use crate::moment;
@@ -27,7 +28,7 @@ pub struct Args {
     #[arg(long, value_name = "FOLDER")]
     svg: Option<PathBuf>,
     /// Difference in dB beyond which lines disagree
-    #[arg(long, value_name = "DB", default_value = "3", value_parser = super::check::parse_limit)]
+    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit)]
     tolerance: f64,
     /// Overwrite files that are there
     #[arg(long)]
@@ -83,7 +84,7 @@ fn usage(text: &str) -> CommandError {
 fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError> {
     let designs: Vec<PathBuf> = args.files.iter().filter_map(|file| fs::canonicalize(file).ok()).collect();
     for (i, (path, _)) in targets.iter().enumerate() {
-        if targets[..i].iter().any(|(other, _)| same_place(other) == same_place(path)) {
+        if targets[..i].iter().any(|(other, _)| place_of(other) == place_of(path)) {
             return Err(usage(&format!("{}: the page and a picture cannot have one name", path.display())));
         }
         if fs::canonicalize(path).is_ok_and(|path| designs.contains(&path)) {
@@ -97,13 +98,19 @@ fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError>
 }
 
 /// A path without links in its folder, which need not be there.
-fn same_place(path: &Path) -> PathBuf {
+fn place_of(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.into());
     let above = path.ancestors().skip(1).find_map(|above| Some((above, fs::canonicalize(above).ok()?)));
-    let below = above.and_then(|(above, real)| Some(real.join(path.strip_prefix(above).ok()?)));
-    let place = below.unwrap_or(path);
-    // `a/./b` and `a/b`
-    place.components().collect()
+    let Some((above, mut place)) = above else { return path };
+    // what is not there yet has no links
+    for part in path.strip_prefix(above).into_iter().flat_map(Path::components) {
+        match part {
+            Component::ParentDir => drop(place.pop()),
+            Component::CurDir => {}
+            part => place.push(part),
+        }
+    }
+    place
 }
 
 fn pictures(folder: &Path, stem: &str, loaded: &Loaded, study: &Study) -> Vec<(PathBuf, String)> {

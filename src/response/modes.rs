@@ -24,7 +24,7 @@ pub struct EnergyShare {
 }
 
 /// Below this a mode is the rigid rotation, Hz.
-pub(super) const RIGID_HZ: f64 = 0.01;
+const RIGID_HZ: f64 = 0.01;
 
 /// One natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +40,13 @@ pub struct Mode {
     pub participation: f64,
     /// phi^T M phi = 1; the pinion's coordinates, then the gear's
     pub shape: DVector<f64>,
+}
+
+impl Mode {
+    /// Whether it is the rigid rotation, whose frequency is 0 but for rounding.
+    pub fn is_rigid(&self) -> bool {
+        self.frequency_hz < RIGID_HZ
+    }
 }
 
 /// The lowest modes of a model, ascending; the rigid rotation first.
