@@ -374,7 +374,7 @@ fn a_browser_shows_the_page_without_a_request_and_prints_it() {
     let shown = browse(&chromium, here, &["--dump-dom"]);
     let (dom, log) = (String::from_utf8_lossy(&shown.stdout), String::from_utf8_lossy(&shown.stderr));
     assert!(shown.status.success(), "{log}");
-    assert!(dom.contains("Trust the enhanced model up to 2,997 Hz") && dom.matches("</svg>").count() == 3);
+    assert!(dom.contains("Trust the enhanced model up to 2,997 Hz") && dom.matches("</svg>").count() == 4);
     assert!(!log.contains(":CONSOLE"), "{log}");
     let netlog = std::fs::read_to_string(here.join("netlog.json")).unwrap();
     let asked: Vec<&str> = netlog.split("\"url\":\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();

@@ -257,8 +257,8 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
     let shares = models.iter().flat_map(|model| &model.modes).flat_map(|(mode, _)| [mode.pinion, mode.gear]);
     let mut all = shares.flat_map(|share| [share.lateral, share.axial, share.tilt, share.torsion]);
     if all.any(|share| share < -0.005) {
-        writeln!(out, "\nshares below 0: coupled motions of a station share their energy, and it is the sum that")?;
-        writeln!(out, "is never negative")?;
+        writeln!(out, "\nshares below 0: motions that the mass matrix couples (lateral and tilt of a")?;
+        writeln!(out, "shaft) share their energy; their sum is never below 0")?;
     }
     Ok(())
 }

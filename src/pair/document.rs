@@ -89,8 +89,11 @@ fn shown(value: f64, key: &str) -> String {
     if value.abs() < 1e-9 {
         return "0".into();
     }
-    let has_sign = key.ends_with("_force") || key.starts_with("line_of_action") || key.starts_with("mesh_point");
-    let sign = if has_sign && value > 0.0 { "+" } else { "" };
+    let is_signed = |key: &str| {
+        let ends = ["axial_force", "radial_force", "tangential_force", "torque_arm"];
+        ends.contains(&key) || key.starts_with("line_of_action") || key.starts_with("mesh_point")
+    };
+    let sign = if is_signed(key) && value > 0.0 { "+" } else { "" };
     format!("{sign}{}", significant(value, 5))
 }
 

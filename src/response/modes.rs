@@ -10,7 +10,8 @@ use super::{ResponseError, both_rotor_modes};
 use crate::model::{Model, RotorModel, RotorModes, WorkDone};
 use crate::rotor::Motion;
 
-/// Shares of a mode's kinetic energy in the motions of one rotor.
+/// Shares of a mode's kinetic energy in the motions of one rotor: phi_i (M phi)_i over phi^T M phi. Of motions that the mass matrix
+/// couples, such as lateral and tilt of a shaft, one can be below 0; their sum never is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct EnergyShare {
     /// x and z
