@@ -32,5 +32,6 @@ pub fn failed(loaded: &Loaded, error: SolveError) -> CommandError {
 pub fn mean_state_warnings(loaded: &Loaded, rotors: &Rotors) -> String {
     let file = printable(&loaded.name);
     let warnings = rotors.mean_state_warnings(&loaded.design).into_iter();
-    warnings.map(|warning| format!("{file}: warning: {}\n", printable(&warning))).collect()
+    let lines: Vec<String> = warnings.map(|warning| format!("{file}: warning: {}\n", printable(&warning))).collect();
+    lines.concat()
 }

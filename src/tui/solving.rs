@@ -55,7 +55,7 @@ pub struct Summary {
     /// Of the enhanced model
     pub caveats: Vec<Caveat>,
     /// What is unusual about the mean states of its bearings, a line each
-    pub warnings: Vec<String>,
+    pub warnings: Box<[String]>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -156,7 +156,7 @@ fn solve(
             enhanced: comparison.enhanced_agreement,
             basic: comparison.basic_agreement,
             caveats: comparison.caveats,
-            warnings: rotors.as_ref().map_or_else(Vec::new, |rotors| rotors.mean_state_warnings(design)),
+            warnings: rotors.as_ref().map_or_else(Box::default, |rotors| rotors.mean_state_warnings(design).into()),
         };
         Ok(Solved { summary, traces, bearings })
     });

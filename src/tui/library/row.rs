@@ -60,7 +60,7 @@ impl Row {
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
         let of_file = self.loaded.iter().flat_map(|loaded| &loaded.warnings);
         let of_states = match &self.state {
-            RowState::Solved(summary) => summary.warnings.as_slice(),
+            RowState::Solved(summary) => &*summary.warnings,
             _ => &[],
         };
         of_file.chain(of_states).map(String::as_str)
