@@ -68,6 +68,16 @@ fn keep(mut file: File, lines: &Receiver<String>) {
     for line in lines {
         drop(file.write_all(line.as_bytes()));
     }
+    // nothing follows that could say so
+    if let Some(text) = lost() {
+        drop(file.write_all(text.as_bytes()));
+    }
+}
+
+/// A line about those that did not fit, and are told of now.
+fn lost() -> Option<String> {
+    let lost = LOST.swap(0, Ordering::Relaxed);
+    (lost > 0).then(|| format!("{}\n", line(&format!("{lost} lines are missing here"))))
 }
 
 /// Adds a line, if there is a log.
@@ -106,5 +116,24 @@ pub fn close(log: Option<&Log>) {
 impl Drop for Log {
     fn drop(&mut self) {
         close(Some(self));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_lost_at_the_end_are_told() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("log");
+        let (sender, lines) = sync_channel(1);
+        sender.send("one\n".to_owned()).expect("a reader");
+        drop(sender);
+        LOST.store(3, Ordering::Relaxed);
+        keep(File::create(&path).expect("a file"), &lines);
+        let text = std::fs::read_to_string(&path).expect("a text");
+        assert!(text.starts_with("one\n") && text.ends_with("3 lines are missing here\n"), "{text}");
+        assert_eq!(LOST.load(Ordering::Relaxed), 0);
     }
 }

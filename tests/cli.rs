@@ -92,6 +92,40 @@ fn models_are_chosen_and_ordered() {
     assert_eq!(json["models"]["enhanced"].as_array().unwrap().len(), 14);
 }
 
+/// The table counts from 1, JSON has places in its lists.
+#[test]
+fn modes_are_counted_from_1_where_people_read() {
+    let table = bevelscope(&["modes", &elastic()]);
+    let text = stdout(&table);
+    let json: Value = serde_json::from_slice(&bevelscope(&["modes", &elastic(), "--format", "json"]).stdout).unwrap();
+    let pairs = json["models"]["enhanced"].as_array().unwrap();
+    let (_, enhanced) = text.split_once("\nEnhanced").unwrap_or_else(|| panic!("{text}"));
+    let rows: Vec<Vec<&str>> = enhanced.lines().map(|line| line.split_whitespace().collect()).collect();
+    for (at, mode) in pairs.iter().enumerate() {
+        let number = (at + 1).to_string();
+        let row =
+            rows.iter().find(|row| row.len() == 14 && row[0] == number).unwrap_or_else(|| panic!("{number}: {text}"));
+        match mode["paired_with"]["fe_mode"].as_u64() {
+            Some(fe) => assert_eq!(row[10], (fe + 1).to_string()),
+            None => assert_eq!(row[10], "-"),
+        }
+    }
+    // the rigid rotation is at 0 Hz in both
+    assert_eq!(rows.iter().find(|row| row.len() == 14 && row[0] == "1").unwrap()[12], "-");
+    let help = bevelscope(&["modes", "--help"]);
+    assert!(stdout(&help).contains("JSON from 0"), "{}", stdout(&help));
+    // a share below 0 comes with a line about it, and no line without one
+    for (design, text) in bevelscope::design::library::SHIPPED.iter().map(|shipped| {
+        let file = format!("designs/{}", shipped.file_name);
+        (file.clone(), stdout(&bevelscope(&["modes", &file])).to_owned())
+    }) {
+        let shares = text.lines().filter(|line| line.starts_with(|digit: char| digit == ' ' || digit.is_ascii_digit()));
+        let shares = shares.map(|line| line.split_whitespace().skip(2).take(8).collect::<Vec<_>>());
+        let is_negative = shares.flatten().any(|cell| cell.starts_with('-') && cell.parse::<i32>().is_ok());
+        assert_eq!(is_negative, text.contains("shares below 0:"), "{design}: {text}");
+    }
+}
+
 #[test]
 fn reduced_models_stand_beside_the_others() {
     let models = ["reduced:3,fe,reduced:0", "--format"];

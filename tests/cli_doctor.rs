@@ -116,6 +116,9 @@ fn folders_are_tried_and_none_is_made() {
     assert_eq!(std::fs::read_dir(home.path().join("designs")).unwrap().count(), 0);
     let named = json(home.path(), &["--keys", "mine.toml"], &[]);
     assert_eq!(named["folders"]["key_file"], "mine.toml (not there: the shipped keys hold)");
+    // it has no end, and is not read
+    let endless = json(home.path(), &["--keys", "/dev/zero"], &[]);
+    assert_eq!(endless["folders"]["key_file"], "/dev/zero (is no plain file)");
 }
 
 /// Name, time of the last change and content of everything below a folder.

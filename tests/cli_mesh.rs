@@ -114,6 +114,27 @@ fn inspect_shows_bearings_and_forces() {
     assert!(text.contains("N under 1 N m;") && text.contains("teeth 2.7857 to 1"), "{text}");
 }
 
+/// Parallel axes have a centre distance and no offset; a series spring is named where there is one.
+#[test]
+fn inspect_names_the_centre_distance_and_only_springs_that_are_there() {
+    let text = |name: &str| {
+        let path = design(name);
+        let source = std::fs::read_to_string(&path).unwrap();
+        let output = bevelscope(&["inspect", &path]);
+        (source, String::from_utf8(output.stdout).unwrap())
+    };
+    let (_, helical) = text("turbine-generator");
+    assert!(helical.contains("deg, centre distance 589.11 mm") && !helical.contains("offset"), "{helical}");
+    let (_, hypoid) = text("tapered-hypoid");
+    assert!(hypoid.contains("deg, offset ") && !hypoid.contains("centre distance"), "{hypoid}");
+    for name in ["overhung-elastic", "straddle-elastic", "tapered-axle", "turbine-generator"] {
+        let (source, found) = text(name);
+        let written = |key: &str| source.lines().any(|line| line.trim_start().starts_with(key));
+        assert_eq!(found.contains("with Kc"), written("axial_series_stiffness_n_per_m"), "{name}: {found}");
+        assert_eq!(found.contains("before Khb"), written("housing_axial_stiffness_n_per_m"), "{name}: {found}");
+    }
+}
+
 #[test]
 fn without_drives_there_are_twelve_lumped_coordinates() {
     let path = design("turbine-generator");
@@ -181,10 +202,21 @@ fn what_is_unusual_about_a_mean_state_is_a_warning_wherever_a_design_is_solved()
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("wrong.toml").display().to_string();
     std::fs::write(&file, editor.text()).unwrap();
-    for command in ["solve", "modes", "bands"] {
-        let output = bevelscope(&[command, &file]);
+    for command in [
+        ["solve", &file].as_slice(),
+        &["modes", &file],
+        &["bands", &file],
+        &["report", &file, "-o", "-"],
+        &["compare", &file, &file],
+    ] {
+        let output = bevelscope(command);
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success() && text.contains(WARNING), "{command}: {text}");
+        assert!(output.status.success() && text.contains(WARNING), "{command:?}: {text}");
+        if command[0] == "report" {
+            let page = String::from_utf8_lossy(&output.stdout).into_owned();
+            assert!(page.contains("12 balls bear on the opposite shoulder") && !page.contains("raises no warning"));
+            assert!(!page.contains(&folder.path().display().to_string()), "the page names no folder");
+        }
     }
     let output = bevelscope(&["check", &file]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -153,7 +153,7 @@ fn modules_know_what_the_architecture_says() {
         ("bearing/", &["bearing"]),
         ("gear/", &["gear", "text"]),
         ("design/", &["design", "units", "text", "number", "moment", "rotor", "bearing", "gear"]),
-        ("pair/", &["pair", "design", "gear", "rotor", "number"]),
+        ("pair/", &["pair", "design", "gear", "rotor", "document", "number"]),
         ("rotor/", &["rotor", "design", "bearing"]),
         ("model/", &["model", "rotor", "design"]),
         ("response/", &["response", "model", "rotor", "design"]),

@@ -7,10 +7,11 @@ mod support;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-use bevelscope::design::{Design, Loaded, library::SHIPPED, read};
+use bevelscope::design::{Design, Finding, Loaded, Severity, library::SHIPPED, read};
+use bevelscope::pair::PairFigures;
 use bevelscope::report::Study;
 use bevelscope::report::html::{Entry, page};
-use bevelscope::report::svg::{Picture, WIDTH, levels, side_view, spectra};
+use bevelscope::report::svg::{Picture, WIDTH, levels, pair, side_view, spectra};
 use proptest::prelude::*;
 use roxmltree::{Document, ParsingOptions};
 use support::random::{config, designs};
@@ -98,7 +99,7 @@ fn a_page_stands_alone_and_is_well_formed() {
         once.sort_unstable();
         once.dedup();
         assert_eq!(once.len(), ids.len());
-        assert_eq!(named("svg").count(), 3);
+        assert_eq!(named("svg").count(), 4);
         for label in elements().filter_map(|node| node.attribute("aria-labelledby")).flat_map(str::split_whitespace) {
             assert!(ids.contains(&label), "{label}");
         }
@@ -116,6 +117,52 @@ fn the_figures_come_first_and_are_those_of_check() {
     }
     // sha256sum designs/overhung-elastic.toml
     assert!(page.contains(&bevelscope::design::hash(SHIPPED[0].text.as_bytes())));
+}
+
+/// A speed puts the mesh frequency, 14 teeth at 1,500 rpm = 350 Hz, on both plots of the spectra; without one there is no mark.
+#[test]
+fn harmonics_of_the_mesh_frequency_are_marked_where_a_speed_is_given() {
+    let plain = small();
+    let text = plain.text + "\n[operating]\npinion_speed_rpm = 1500.0\n";
+    let design = loaded(text, "speed.toml").design;
+    let teeth = f64::from(design.pinion.teeth.unwrap());
+    let picture = &pictures(&design, 3.0)[0];
+    let file = picture.file("");
+    let document = parsed(&file);
+    let places = document.descendants().filter(|node| node.attribute("class") == Some("place")).count();
+    let last = design.analysis.frequency_max / (teeth * 25.0);
+    assert_eq!(places, 2 * (last.floor() as usize).min(9));
+    assert!(file.contains(">1\u{d7}<") && picture.description.contains("mesh frequency"), "{file}");
+    let without = &pictures(&without_speed(&design), 3.0)[0];
+    assert!(!without.body.contains("class=\"place\"") && !without.description.contains("mesh frequency"));
+}
+
+fn without_speed(design: &Design) -> Design {
+    let mut design = design.clone();
+    if let Some(operating) = &mut design.operating {
+        operating.pinion_speed = None;
+    }
+    design
+}
+
+#[test]
+fn a_page_has_the_gear_pair_and_names_no_folder() {
+    let shipped = SHIPPED[0].text;
+    let design = loaded(shipped.into(), "/home/someone/secret folder/own.toml");
+    let warned = Loaded {
+        warnings: vec![Finding {
+            severity: Severity::Warning,
+            key_path: "note".parse().unwrap(),
+            span: None,
+            message: "unusual".into(),
+            hint: None,
+        }],
+        ..design
+    };
+    let page = page_of(&warned);
+    assert!(page.contains("unusual") && page.contains("own.toml"), "the warning is there");
+    assert!(!page.contains("secret folder"));
+    assert!(page.contains(">Gear pair</h2>") && page.contains("axial force") && page.contains("id=\"d1-pair-title\""));
 }
 
 #[test]
@@ -200,6 +247,9 @@ proptest! {
         for picture in pictures(&design, tolerance_db) {
             check_coordinates(&picture)?;
         }
+        if let Some(picture) = pair(&design, &PairFigures::new(&design)) {
+            check_coordinates(&picture)?;
+        }
     }
 
     #[test]
@@ -253,7 +303,7 @@ fn nothing_is_overwritten_unasked_and_no_design_ever() {
     std::fs::write(&own, SHIPPED[0].text).unwrap();
     let first = bevelscope(here, &["report", "own.toml", "--svg", "pictures"]);
     assert_eq!(first.status.code(), Some(0), "{}", String::from_utf8_lossy(&first.stderr));
-    let files = "pictures/own-spectra.svg\npictures/own-levels.svg\npictures/own-side-view.svg\nown.html\n";
+    let files = "pictures/own-spectra.svg\npictures/own-levels.svg\npictures/own-side-view.svg\npictures/own-pair.svg\nown.html\n";
     assert_eq!(String::from_utf8_lossy(&first.stdout), files);
     let text = std::fs::read_to_string(here.join("own.html")).unwrap();
     assert!(text.contains("<time datetime=\"2000-02-29\">"));
@@ -277,6 +327,15 @@ fn nothing_is_overwritten_unasked_and_no_design_ever() {
     let over_design = bevelscope(here, &["report", "own.toml", "-o", "own.toml", "--force"]);
     assert_eq!(over_design.status.code(), Some(2));
     assert_eq!(std::fs::read_to_string(&own).unwrap(), SHIPPED[0].text);
+    // the page over one of its own pictures: nothing is written, also where all may be overwritten
+    let before = std::fs::read_dir(here).unwrap().count();
+    for page in ["new/own-spectra.svg", "./new/../new/own-spectra.svg"] {
+        let output = bevelscope(here, &["report", "own.toml", "--svg", "new", "-o", page, "--force"]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains("cannot have one name"), "{said}");
+    }
+    assert_eq!(std::fs::read_dir(here).unwrap().count(), before);
     for bad in [["report", "missing.toml"].as_slice(), &["report", "own.toml", "-o", "no/folder/x.html"], &["report"]] {
         let output = bevelscope(here, bad);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{bad:?}");
@@ -315,7 +374,7 @@ fn a_browser_shows_the_page_without_a_request_and_prints_it() {
     let shown = browse(&chromium, here, &["--dump-dom"]);
     let (dom, log) = (String::from_utf8_lossy(&shown.stdout), String::from_utf8_lossy(&shown.stderr));
     assert!(shown.status.success(), "{log}");
-    assert!(dom.contains("Trust the enhanced model up to 2,997 Hz") && dom.matches("</svg>").count() == 3);
+    assert!(dom.contains("Trust the enhanced model up to 2,997 Hz") && dom.matches("</svg>").count() == 4);
     assert!(!log.contains(":CONSOLE"), "{log}");
     let netlog = std::fs::read_to_string(here.join("netlog.json")).unwrap();
     let asked: Vec<&str> = netlog.split("\"url\":\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();

@@ -79,13 +79,14 @@ fn assert_alone(text: &str) {
 }
 
 /// The keys to a screen, how its proposed name begins, and whether it is about both designs.
-const SCREENS: [(&str, &str, bool); 8] = [
+const SCREENS: [(&str, &str, bool); 9] = [
     ("wnp", "overhung-elastic-mesh_force.csv", false),
     ("wvvr<Tab>", "overhung-elastic-bearing_pinion_", false),
     ("w4<Tab><Tab>x", "overhung-elastic-mesh_force.csv", false),
     ("M", "overhung-elastic-modes.csv", false),
     ("Mjjo", "overhung-elastic-deflection-", false),
     ("Mx", "overhung-elastic-mac-enhanced.csv", false),
+    ("P", "overhung-elastic-gear-pair.csv", false),
     ("O", "overview.csv", true),
     ("mjc", "overhung-elastic-and-overhung-rigid.csv", true),
 ];
@@ -126,6 +127,78 @@ fn every_screen_is_written_in_every_format_with_version_and_hash() {
         // nothing else was left in the folder
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 5, "{keys}");
     }
+}
+
+/// The mean load on a bearing is what its elements carry together: sum Q cos(a) in the direction of each, sum Q sin(a) along the shaft.
+#[test]
+fn bearings_are_written_with_elements_that_carry_the_load() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tapered-axle.toml");
+    let shipped = SHIPPED.iter().find(|shipped| shipped.file_name == "tapered-axle.toml").unwrap();
+    fs::write(&path, shipped.text).unwrap();
+    let mut screen = Screen::over(vec![path], 120, 40, Files::new(vec![folder.path().into()]));
+    screen.keys("Be");
+    assert!(screen.text().contains("tapered-axle-bearings.csv"), "{}", screen.text());
+    let (first, heads, rows) = csv(&write(&mut screen, &folder.path().join("out.csv")));
+    assert!(first.contains(&design::hash(shipped.text.as_bytes())), "{first}");
+    let at = |name: &str| heads.iter().position(|head| head == name).unwrap_or_else(|| panic!("{name}: {heads:?}"));
+    let number = |row: &[String], name: &str| row[at(name)].parse::<f64>().unwrap();
+    let (elements, bearings): (Vec<_>, Vec<_>) = rows.iter().partition(|row| !row[at("element")].is_empty());
+    let design = design::read(shipped.text).design.unwrap();
+    assert_eq!(bearings.len(), design.pinion.bearings.len() + design.gear.bearings.len());
+    let selected = bearings[0];
+    assert_eq!(elements.len() as f64, number(selected, "elements"));
+    let mut sum = [0.0; 3];
+    for row in &elements {
+        assert_eq!(row[at("bearing")], selected[at("bearing")]);
+        let load = number(row, "element_load_n");
+        let [azimuth, angle] = ["azimuth_deg", "contact_angle_deg"].map(|name| number(row, name).to_radians());
+        sum[0] += load * angle.cos() * azimuth.sin();
+        sum[1] += load * angle.sin();
+        sum[2] += load * angle.cos() * azimuth.cos();
+    }
+    let force = ["force_x_n", "force_y_n", "force_z_n"].map(|name| number(selected, name));
+    let size = force.iter().map(|value| value * value).sum::<f64>().sqrt();
+    assert!(size > 1.0);
+    for (sum, force) in sum.iter().zip(force) {
+        assert!((sum - force).abs() < 1e-9 * size, "{sum} {force}");
+    }
+    screen.keys("E");
+    let picture = write(&mut screen, &folder.path().join("out.svg"));
+    assert_alone(&picture);
+    let document = parsed(&picture);
+    let bars = document
+        .descendants()
+        .filter(|node| node.has_tag_name("line") && node.attribute("class") == Some("curve pinion"));
+    let loaded = elements.iter().filter(|row| number(row, "element_load_n") > 0.0).count();
+    assert_eq!(bars.count(), loaded, "a bar on each loaded element");
+    screen.keys("e");
+    let page = write(&mut screen, &folder.path().join("out.html"));
+    assert_alone(&page);
+    let document = parsed(&page);
+    assert_eq!(document.descendants().filter(|node| node.has_tag_name("table")).count(), 3);
+    // a bearing whose stiffness is given has no elements, and no picture
+    let linear = bearings.iter().position(|row| row[at("elements")].is_empty());
+    assert_eq!(linear, None, "all bearings of this design roll");
+}
+
+/// The forces on both shafts turn them with and against the torque: F_t r of the pinion is the torque.
+#[test]
+fn the_gear_pair_is_written_with_forces_that_balance_the_torque() {
+    let (folder, mut screen) = library();
+    screen.keys("Pe");
+    let (_, heads, rows) = csv(&write(&mut screen, &folder.path().join("out.csv")));
+    assert_eq!(heads, ["figure", "pinion", "gear", "pair", "unit"]);
+    let row = |name: &str| rows.iter().find(|row| row[0] == name).unwrap_or_else(|| panic!("{name}: {rows:?}"));
+    let number = |name: &str, column: usize| row(name)[column].parse::<f64>().unwrap();
+    let radius = number("mesh_point_x", 1).hypot(number("mesh_point_z", 1)) / 1e3;
+    let torque = number("tangential_force", 1) * radius;
+    assert!((torque.abs() - number("torque", 3)).abs() < 1e-9 * torque.abs(), "{torque}");
+    let force = ["axial_force", "radial_force", "tangential_force"].map(|name| number(name, 2));
+    let size = force.iter().map(|value| value * value).sum::<f64>().sqrt();
+    // the shipped lines of action have few digits
+    assert!((size / number("normal_force", 3) - 1.0).abs() < 1e-3, "{size}");
+    assert_eq!((row("axial_force")[4].as_str(), row("torque_arm")[4].as_str()), ("N", "mm"));
 }
 
 fn solved(kind: ModelKind) -> (Design, Vec<f64>, Vec<num_complex::Complex64>) {

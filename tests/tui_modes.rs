@@ -63,6 +63,9 @@ fn a_typed_frequency_is_checked_and_the_cursor_of_the_mac_says_where_it_is() {
     let mut screen = modes(80, 24, UNICODE);
     let text = screen.keys("f99999999<Enter>").text();
     assert!(text.contains("wanted a frequency in Hz from 10"), "{text}");
+    // a comma is no decimal point
+    let text = screen.keys("<Ctrl-u>12,5<Enter>").text();
+    assert!(text.contains("wanted a frequency in Hz from 10"), "{text}");
     let text = screen.keys("<Ctrl-u>1,234.5 Hz<Enter>").text();
     assert!(text.contains("operating deflection at 1234.5 Hz") && text.contains("mesh force, N"), "{text}");
     let text = screen.keys("ogx").text();
@@ -221,6 +224,17 @@ fn partners_of_the_table_are_where_the_picture_says() {
         }
         assert!(pairs >= 9, "{pairs}");
     }
+}
+
+#[test]
+fn a_deflection_shape_is_never_drawn_under_another_frequency() {
+    let mut screen = modes(80, 24, UNICODE);
+    screen.keys("jjo");
+    assert!(screen.app.modes.as_ref().unwrap().moment().is_some());
+    screen.held = true;
+    let text = screen.keys("l").text();
+    assert!(screen.app.modes.as_ref().unwrap().moment().is_none(), "{text}");
+    assert!(text.contains("operating deflection at") && text.contains("computing"), "{text}");
 }
 
 #[test]

@@ -269,6 +269,19 @@ fn the_design_as_it_is_now_is_drawn_from_the_tables_and_the_keys_go_back() {
     assert_eq!(screen.app.mode, Mode::Library);
 }
 
+/// What is listed and shaded is of the tolerance that is shown.
+#[test]
+fn bands_of_another_tolerance_are_not_shown() {
+    let mut screen = wide(120, 40, UNICODE, "");
+    let before = view(&screen).findings().unwrap().bands.len();
+    screen.held = true;
+    screen.keys("]");
+    assert!(before > 0 && view(&screen).tolerance > 3.0 && view(&screen).findings().is_none());
+    // back at the one that they were found with
+    screen.keys("[");
+    assert_eq!(view(&screen).findings().unwrap().bands.len(), before);
+}
+
 #[test]
 fn the_frame_comes_at_once_and_older_results_are_refused() {
     let mut screen = Screen::with(&[STEM], 80, 24, UNICODE, Shelf::shipped());

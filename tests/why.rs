@@ -177,6 +177,43 @@ fn a_mode_that_lumped_models_lack_is_named() {
     }
 }
 
+/// The share of the motion that names the mode is said once.
+#[test]
+fn a_motion_is_named_once() {
+    let design = read(library::SHIPPED[0].text).design.unwrap();
+    let said: Vec<String> = causes(ModelKind::Enhanced, &design, 3.0).iter().flat_map(Causes::sentences).collect();
+    let said = said.join(" ");
+    assert!(said.contains("(gear torsion 81 %)") && said.contains("(pinion axial 80 %)"), "{said}");
+    assert!(said.contains("(pinion lateral 42 % with gear tilt)"), "{said}");
+}
+
+/// Whether a mode without partner is worth a word is judged by its part in what is looked at: in a bearing's force on one shaft, which a mode
+/// may hardly have that the mesh drives strongly.
+#[test]
+fn others_in_a_band_are_judged_by_what_is_looked_at() {
+    let design = ordinary();
+    let rotors = Rotors::new(&design).unwrap();
+    let modes = ModalComparison::new(ModelKind::Basic, &design, &rotors).unwrap();
+    let band = DisagreementBand { from_hz: 1.0, to_hz: 1e5, worst_db: 6.0, worst_at_hz: 1000.0 };
+    let parts = Parts::of_bearing(&modes, &design, &rotors, (Side::Pinion, 0), &[0, 1, 2]).unwrap();
+    let causes = Causes::in_parts(&modes, &parts, &rotors, band);
+    let size = |i: usize| {
+        let omega = std::f64::consts::TAU * modes.fe.0[i].frequency_hz;
+        let factor = modes.fe_model.structural_factor(omega);
+        parts.fe[i].iter().map(|part| part.at(omega, factor).norm_sqr()).sum::<f64>().sqrt()
+    };
+    let largest = (0..modes.fe.0.len()).map(size).fold(0.0, f64::max);
+    assert!(!causes.unpaired.is_empty());
+    for mode in &causes.unpaired {
+        assert!((mode.participation - size(mode.fe) / largest).abs() < 1e-12, "{mode:?}");
+    }
+    let of_mesh = Causes::new(&modes, &rotors, band);
+    let largest = modes.fe.0.iter().map(|mode| mode.participation).fold(0.0, f64::max);
+    for mode in &of_mesh.unpaired {
+        assert!((mode.participation - modes.fe.0[mode.fe].participation / largest).abs() < 1e-12, "{mode:?}");
+    }
+}
+
 /// Modes are all there, one of them lies 3 % higher.
 #[test]
 fn a_shifted_pair_is_named() {

@@ -5,7 +5,7 @@ use crate::design::Side;
 use crate::model::{LumpedMass, ModelKind, Rotors};
 use crate::response::{Dominant, Mode};
 
-/// A mode counts where the mesh drives it at least this strongly, of the strongest of all modes: weaker ones hardly show in the spectrum.
+/// A mode counts where its part in what is looked at is at least this, of the greatest of all modes: weaker ones hardly show in the spectrum.
 pub const LEAST_PARTICIPATION: f64 = 0.05;
 /// A rotor's plane counts where it has this share of the responsible mode's kinetic energy: a tenth shifts a frequency by a twentieth.
 const LEAST_PLANE_SHARE: f64 = 0.1;
@@ -54,7 +54,7 @@ pub struct Unpaired {
     pub frequency_hz: f64,
     pub name: String,
     pub dominant: Dominant,
-    /// (phi . h)^2 over the largest of all modes
+    /// Its part in what is looked at over the largest of all modes: (phi . h)^2 of the mesh force
     pub participation: f64,
 }
 
@@ -111,7 +111,8 @@ impl Causes {
                 participation_ratio: lumped.participation / of_fe.participation,
             }
         });
-        let largest = modes.fe.0.iter().map(|mode| mode.participation).fold(f64::MIN_POSITIVE, f64::max);
+        let own: Vec<f64> = (0..modes.fe.0.len()).map(|i| modes.part_of_fe(parts, i)).collect();
+        let largest = own.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let unpaired = modes.fe.0.iter().enumerate().filter(|(i, mode)| {
             let inside = (band.from_hz..=band.to_hz).contains(&mode.frequency_hz) || fe == Some(*i);
             inside && modes.partner(*i).is_none()
@@ -121,7 +122,7 @@ impl Causes {
             frequency_hz: mode.frequency_hz,
             name: mode.name(),
             dominant: mode.dominant(),
-            participation: mode.participation / largest,
+            participation: own[i] / largest,
         });
         Self {
             model: modes.lumped_model.kind,
@@ -145,7 +146,7 @@ impl Causes {
             self.band.worst_db.abs()
         )];
         if let (Some(responsible), Some((name, hz, dominant))) = (self.responsible, &self.mode) {
-            let what = format!("mode at {hz:.0} Hz ({name}; {dominant})");
+            let what = format!("mode at {hz:.0} Hz ({})", with_share(name, dominant));
             match (responsible.fe, self.shift) {
                 (Some(_), Some(shift)) if shift.percent.abs() >= LEAST_SHIFT_PERCENT => out.push(format!(
                     "The {what} lies at {:.0} Hz in the {model} model, {:+.1} %.",
@@ -174,6 +175,15 @@ impl Causes {
         }
         out.truncate(MOST);
         out
+    }
+}
+
+/// A mode's name with the share of the motion that it has most of, which is said once: `gear lateral 71 %, x-y plane`.
+fn with_share(name: &str, dominant: &Dominant) -> String {
+    let motion = format!("{} {}", dominant.side.name(), dominant.group.name());
+    match name.strip_prefix(&motion) {
+        Some(rest) => format!("{dominant}{rest}"),
+        None => format!("{name}; {dominant}"),
     }
 }
 

@@ -17,10 +17,13 @@ pub use causes::{Causes, LEAST_PARTICIPATION, PlaneFigures, RotorPlane, Shift, U
 pub use differences::{difference_db, frac};
 pub use disagreement::{DisagreementBand, disagreement_bands};
 pub use modal::{COMPARED_FE_MODES, ModalComparison, ModalError, Responsible};
-pub use pairing::{ModePair, mac_matrix, pair_modes};
+pub use pairing::{LEAST_MAC, ModePair, mac_matrix, pair_modes};
 pub use parts::{Part, Parts};
-pub use peaks::{Peak, PeakPair, highest_peak, pair_peaks, peaks};
+pub use peaks::{FARTHEST_PEAK, LEAST_PROMINENCE_DB, Peak, PeakPair, highest_peak, pair_peaks, peaks};
 pub use reduction::reduced_modes_for;
+
+/// A difference beyond which two levels disagree, where nothing else is asked for, dB.
+pub const TOLERANCE_DB: f64 = 3.0;
 
 /// How far the sixth-octave levels may differ for the agreement limit, dB.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +33,7 @@ pub struct Tolerance {
 
 impl Default for Tolerance {
     fn default() -> Self {
-        Self { band_level_db: 3.0 }
+        Self { band_level_db: TOLERANCE_DB }
     }
 }
 

@@ -148,6 +148,14 @@ impl ModalComparison {
         sizes.filter(|(_, size)| *size > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(mode, _)| mode)
     }
 
+    /// The size of a finite element mode's part in what is looked at, at its own frequency.
+    pub(super) fn part_of_fe(&self, parts: &Parts, mode: usize) -> f64 {
+        let omega = TAU * self.fe.0[mode].frequency_hz;
+        let factor = self.fe_model.structural_factor(omega);
+        let sizes = parts.fe.get(mode).into_iter().flatten().map(|part| part.at(omega, factor).norm());
+        sizes.fold(0.0, f64::hypot)
+    }
+
     /// The finite element mode of a responsible one, or the lumped one where there is none.
     pub fn mode(&self, responsible: &Responsible) -> Option<&Mode> {
         match (responsible.fe, responsible.lumped) {

@@ -17,19 +17,21 @@ pub struct ModePair {
     pub mac: f64,
 }
 
-/// Pairs modes one to one, greatest MAC first, at least 0.5. Many finite element modes look alike at the mesh (all axial ones of a shaft, say), so of
+/// Modes with a smaller MAC are no pair.
+pub const LEAST_MAC: f64 = 0.5;
+
+/// Pairs modes one to one, greatest MAC first, at least [`LEAST_MAC`]. Many finite element modes look alike at the mesh (all axial ones of a shaft, say), so of
 /// MACs that are equal but for rounding the nearest in frequency comes first.
 ///
 /// Shapes are compared at the lumped coordinates, each weighted with the square root of its mass in the enhanced model, since metres and radians
 /// must not mix unweighted.
 pub fn pair_modes(lumped: (&Model, &Modes), fe: (&Model, &Modes), enhanced: &Model) -> Vec<ModePair> {
-    const LEAST: f64 = 0.5;
     const EQUAL: f64 = 1e-6;
     let mac = mac_matrix(lumped, fe, enhanced);
     let mut candidates: Vec<ModePair> = Vec::new();
     for i in 0..mac.nrows() {
         for j in 0..mac.ncols() {
-            if mac[(i, j)] >= LEAST {
+            if mac[(i, j)] >= LEAST_MAC {
                 candidates.push(ModePair { lumped: i, fe: j, mac: mac[(i, j)] });
             }
         }

@@ -28,9 +28,13 @@ pub struct PeakPair {
     pub height_db: Option<f64>,
 }
 
-/// Peaks strictly inside the lines with at least 3 dB prominence; of a plateau the first line counts.
+/// Peaks that stand out less are none, dB.
+pub const LEAST_PROMINENCE_DB: f64 = 3.0;
+/// Peaks farther apart are no pair: a part of the finite element peak's frequency.
+pub const FARTHEST_PEAK: f64 = 0.15;
+
+/// Peaks strictly inside the lines with at least [`LEAST_PROMINENCE_DB`] of prominence; of a plateau the first line counts.
 pub fn peaks(frequency_hz: &[f64], force: &[Complex64]) -> Vec<Peak> {
-    const LEAST_PROMINENCE_DB: f64 = 3.0;
     let level: Vec<f64> = force.iter().map(|force| 20.0 * force.norm().log10()).collect();
     // lowest level between each line and the nearest higher one before it (or the start)
     let before = lowest_since_higher(level.iter().copied());
@@ -75,14 +79,13 @@ fn lowest_since_higher(values: impl Iterator<Item = f64>) -> Vec<f64> {
     out
 }
 
-/// Pairs peaks one to one, smallest relative distance first, at most 0.15; unpaired ones follow in their place by frequency.
+/// Pairs peaks one to one, smallest relative distance first, at most [`FARTHEST_PEAK`]; unpaired ones follow in their place by frequency.
 pub fn pair_peaks(lumped: &[Peak], fe: &[Peak]) -> Vec<PeakPair> {
-    const FARTHEST: f64 = 0.15;
     let mut candidates: Vec<(f64, usize, usize)> = Vec::new();
     for (i, f) in fe.iter().enumerate() {
         for (j, l) in lumped.iter().enumerate() {
             let distance = (l.frequency_hz - f.frequency_hz).abs() / f.frequency_hz;
-            if distance <= FARTHEST {
+            if distance <= FARTHEST_PEAK {
                 candidates.push((distance, i, j));
             }
         }

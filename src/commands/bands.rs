@@ -7,7 +7,8 @@ use clap::ValueEnum;
 
 use super::{CommandError, FileArg, Status, input};
 use crate::agreement::{
-    Causes, ModalComparison, PlaneFigures, Unpaired, band_level_db, disagreement_bands, sixth_octave_bands,
+    Causes, ModalComparison, PlaneFigures, TOLERANCE_DB, Unpaired, band_level_db, disagreement_bands,
+    sixth_octave_bands,
 };
 use crate::comparison::{self, SolveError};
 use crate::design::Design;
@@ -23,12 +24,12 @@ pub struct Args {
     #[command(flatten)]
     file: FileArg,
     /// Difference in dB beyond which lines disagree
-    #[arg(long, value_name = "DB", default_value = "3", value_parser = super::check::parse_limit)]
+    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit)]
     tolerance: f64,
     /// The model held against finite elements: enhanced, basic or reduced:K
     #[arg(long, default_value = "enhanced", value_parser = parse_model)]
     model: ModelKind,
-    /// Form of the output
+    /// Form of the output; JSON counts modes from 0, as places in the lists of `bevelscope modes`
     #[arg(long, default_value = "table")]
     format: Format,
 }

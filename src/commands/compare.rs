@@ -4,6 +4,7 @@
 //! apart the finite element spectra are, where both are computed on the same lines.
 
 use std::io::{self, IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use unicode_width::UnicodeWidthStr;
@@ -52,8 +53,9 @@ struct Side {
 impl Side {
     fn new(path: &Path, err: &mut impl Write) -> Result<Self, CommandError> {
         let loaded = input::load(path, err)?;
-        let comparison = comparison::compare(&loaded.design)
-            .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
+        let rotors = input::rotors(&loaded, err)?;
+        let comparison = comparison::compare_rotors(&loaded.design, &rotors, None, &mut |_| ControlFlow::Continue(()))
+            .map_err(|error| input::failed(&loaded, error))?;
         Ok(Self { file: path.display().to_string(), loaded, comparison })
     }
 

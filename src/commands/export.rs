@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::report::{now, provenance};
+use crate::agreement::TOLERANCE_DB;
 use crate::comparison;
 use crate::design::{self, Loaded};
 use crate::document::{Document, Format};
@@ -11,7 +12,6 @@ use crate::moment;
 use crate::report::csv::{self, Columns};
 use crate::report::html::{Entry, page};
 use crate::report::{Study, document, svg};
-use crate::tui::traces::TOLERANCE_DB;
 
 /// Writes a screen, and says where.
 pub fn shown(path: &Path, document: &Document) -> Result<PathBuf, String> {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::CommandError;
 use crate::comparison::SolveError;
-use crate::design::{self, Loaded, Side};
+use crate::design::{self, Loaded};
 use crate::model::Rotors;
 use crate::text::printable;
 
@@ -30,13 +30,8 @@ pub fn failed(loaded: &Loaded, error: SolveError) -> CommandError {
 
 /// A line each, in the form of the file's own warnings; empty if there are none.
 pub fn mean_state_warnings(loaded: &Loaded, rotors: &Rotors) -> String {
-    let of = |side: Side| {
-        rotors.get(side).mean_states.warnings().map(move |(place, warning)| {
-            let (file, rotor, bearing) =
-                (printable(&loaded.name), side.name(), &loaded.design.rotor(side).bearings[place]);
-            let name = printable(&bearing.name);
-            format!("{file}: warning: {rotor}.bearing[{place}]: \"{name}\" in its mean state: {warning}\n")
-        })
-    };
-    Side::BOTH.into_iter().flat_map(of).collect()
+    let file = printable(&loaded.name);
+    let warnings = rotors.mean_state_warnings(&loaded.design).into_iter();
+    let lines: Vec<String> = warnings.map(|warning| format!("{file}: warning: {}\n", printable(&warning))).collect();
+    lines.concat()
 }

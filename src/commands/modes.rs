@@ -25,7 +25,7 @@ pub struct Args {
     /// With --format json: the whole MAC matrix of every model with FE, and mode shapes at the stations of both shafts
     #[arg(long)]
     shapes: bool,
-    /// Form of the output
+    /// Form of the output; the table counts modes from 1, JSON from 0 as places in its lists
     #[arg(long, default_value = "table")]
     format: Format,
 }
@@ -60,10 +60,12 @@ struct Shapes {
 /// The finite element mode whose shape a lumped mode has.
 #[derive(Clone, Copy, serde::Serialize)]
 struct Partner {
-    /// Index among the finite element modes
+    /// Index among the finite element modes, from 0
     fe_mode: usize,
     fe_hz: f64,
     mac: f64,
+    #[serde(skip)]
+    is_rigid: bool,
 }
 
 fn solve(design: &Design, rotors: &Rotors, kinds: &[ModelKind], shapes: bool) -> Result<Vec<Solved>, SolveError> {
@@ -94,8 +96,10 @@ fn solve(design: &Design, rotors: &Rotors, kinds: &[ModelKind], shapes: bool) ->
         let (model, modes) = modes(kind)?;
         let shapes = shapes_of(&model, &modes)?;
         let pairs = pair_modes((&model, &modes), (&fe.0, &fe.1), &enhanced);
-        let partner =
-            |pair: &ModePair| Partner { fe_mode: pair.fe, fe_hz: fe.1.0[pair.fe].frequency_hz, mac: pair.mac };
+        let partner = |pair: &ModePair| {
+            let of_fe = &fe.1.0[pair.fe];
+            Partner { fe_mode: pair.fe, fe_hz: of_fe.frequency_hz, mac: pair.mac, is_rigid: of_fe.is_rigid() }
+        };
         let find = |i: usize| pairs.iter().find(|pair| pair.lumped == i).map(partner);
         let modes = modes.0.into_iter().enumerate().map(|(i, mode)| (mode, find(i))).collect();
         Ok(Solved { kind, modes, shapes })
@@ -237,7 +241,7 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
         }
         let mut table = Table::with_heads(heads.into_iter().map(str::to_owned).collect()).tight();
         for (i, (mode, partner)) in model.modes.iter().enumerate() {
-            let mut cells = vec![format!("{i}"), significant(mode.frequency_hz, 6)];
+            let mut cells = vec![format!("{}", i + 1), significant(mode.frequency_hz, 6)];
             for share in [mode.pinion, mode.gear] {
                 cells.extend([share.lateral, share.axial, share.tilt, share.torsion].map(percent));
             }
@@ -250,6 +254,12 @@ fn write_tables(out: &mut impl Write, design: &Design, models: &[Solved]) -> io:
         }
         write!(out, "{table}")?;
     }
+    let shares = models.iter().flat_map(|model| &model.modes).flat_map(|(mode, _)| [mode.pinion, mode.gear]);
+    let mut all = shares.flat_map(|share| [share.lateral, share.axial, share.tilt, share.torsion]);
+    if all.any(|share| share < -0.005) {
+        writeln!(out, "\nshares below 0: motions that the mass matrix couples (lateral and tilt of a")?;
+        writeln!(out, "shaft) share their energy; their sum is never below 0")?;
+    }
     Ok(())
 }
 
@@ -258,12 +268,12 @@ fn partner_cells(mode: &Mode, partner: Option<Partner>) -> [String; 4] {
     let shift = 100.0 * (mode.frequency_hz / partner.fe_hz - 1.0);
     let shift = match shift.abs() {
         // the rigid rotation has no frequency to be off from
-        size if !size.is_finite() => "-".into(),
+        _ if partner.is_rigid => "-".into(),
         0.0..0.005 => "0.00".into(),
         0.005..100.0 => format!("{shift:+.2}"),
         _ => format!("{shift:+.0}"),
     };
-    [format!("{}", partner.fe_mode), significant(partner.fe_hz, 6), shift, format!("{:.2}", partner.mac)]
+    [format!("{}", partner.fe_mode + 1), significant(partner.fe_hz, 6), shift, format!("{:.2}", partner.mac)]
 }
 
 /// A mode's name in what the other columns leave of eighty; JSON has all of it.

@@ -2,16 +2,18 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use super::{CommandError, Status, input};
+use crate::agreement::TOLERANCE_DB;
 use crate::design::{Loaded, SaveError, hash, save, save_new};
 use crate::document::{Document, Source};
 use crate::moment;
+use crate::pair::PairFigures;
 use crate::report::Study;
 use crate::report::html::{Entry, page};
-use crate::report::svg::{levels, side_view, spectra};
+use crate::report::svg::{levels, pair, side_view, spectra};
 use crate::text::printable;
 
 #[derive(Debug, clap::Args)]
@@ -26,7 +28,7 @@ pub struct Args {
     #[arg(long, value_name = "FOLDER")]
     svg: Option<PathBuf>,
     /// Difference in dB beyond which lines disagree
-    #[arg(long, value_name = "DB", default_value = "3", value_parser = super::check::parse_limit)]
+    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit)]
     tolerance: f64,
     /// Overwrite files that are there
     #[arg(long)]
@@ -38,8 +40,9 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let mut solved = Vec::new();
     for file in &args.files {
         let loaded = input::load(file, err)?;
-        let study = Study::new(&loaded.design, args.tolerance)
-            .map_err(|error| CommandError::Solve { name: loaded.name.clone(), error })?;
+        let rotors = input::rotors(&loaded, err)?;
+        let study =
+            Study::of_rotors(&loaded.design, rotors, args.tolerance).map_err(|error| input::failed(&loaded, error))?;
         solved.push((loaded, study));
     }
     let entries: Vec<Entry<'_>> = solved.iter().map(|(loaded, study)| Entry { loaded, study }).collect();
@@ -80,7 +83,10 @@ fn usage(text: &str) -> CommandError {
 /// Nothing is written where anything would be lost: an existing file without `--force`, a design with it.
 fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError> {
     let designs: Vec<PathBuf> = args.files.iter().filter_map(|file| fs::canonicalize(file).ok()).collect();
-    for (path, _) in targets {
+    for (i, (path, _)) in targets.iter().enumerate() {
+        if targets[..i].iter().any(|(other, _)| place_of(other) == place_of(path)) {
+            return Err(usage(&format!("{}: the page and a picture cannot have one name", path.display())));
+        }
         if fs::canonicalize(path).is_ok_and(|path| designs.contains(&path)) {
             return Err(usage(&format!("{}: this is one of the designs", path.display())));
         }
@@ -91,14 +97,28 @@ fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError>
     Ok(())
 }
 
+/// A path without links in its folder, which need not be there.
+fn place_of(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.into());
+    let above = path.ancestors().skip(1).find_map(|above| Some((above, fs::canonicalize(above).ok()?)));
+    let Some((above, mut place)) = above else { return path };
+    // what is not there yet has no links
+    for part in path.strip_prefix(above).into_iter().flat_map(Path::components) {
+        match part {
+            Component::ParentDir => drop(place.pop()),
+            Component::CurDir => {}
+            part => place.push(part),
+        }
+    }
+    place
+}
+
 fn pictures(folder: &Path, stem: &str, loaded: &Loaded, study: &Study) -> Vec<(PathBuf, String)> {
     let design = &loaded.design;
     let provenance = provenance(loaded);
-    let pictures = [spectra(design, study), levels(design, study), side_view(design)];
-    pictures
-        .into_iter()
-        .map(|picture| (folder.join(format!("{stem}-{}.svg", picture.name)), picture.file(&provenance)))
-        .collect()
+    let gears = pair(design, &PairFigures::new(design));
+    let pictures = [spectra(design, study), levels(design, study), side_view(design)].into_iter().chain(gears);
+    pictures.map(|picture| (folder.join(format!("{stem}-{}.svg", picture.name)), picture.file(&provenance))).collect()
 }
 
 /// The program, its version, the design and its hash.

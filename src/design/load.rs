@@ -1,5 +1,7 @@
 //! Design files from disk or standard input.
 
+use std::borrow::Cow;
+use std::ffi::OsStr;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -34,6 +36,11 @@ impl Loaded {
             _ => format!("{} ({})", finding.message, label::of_value(&tree, &finding.key_path)),
         };
         self.warnings.iter().map(sentence).collect()
+    }
+
+    /// The last part of [`name`](Self::name): what is passed on need not say where a file lies.
+    pub fn file_name(&self) -> Cow<'_, str> {
+        Path::new(&self.name).file_name().map_or(Cow::Borrowed(&*self.name), OsStr::to_string_lossy)
     }
 
     /// The warnings as people read them; empty if there are none.

@@ -168,6 +168,17 @@ impl Hold {
 }
 
 impl RotorDesign {
+    /// Which series springs the stiffness of a bearing is with, as words behind its name; empty where the design has none.
+    pub fn springs_of(&self, bearing: usize) -> &'static str {
+        let has_kc = self.bearings.get(bearing).is_some_and(|bearing| bearing.axial_series_stiffness.is_some());
+        match (has_kc, self.housing_axial_stiffness.is_some()) {
+            (true, true) => " with Kc, before Khb",
+            (true, false) => " with Kc",
+            (false, true) => " before Khb",
+            (false, false) => "",
+        }
+    }
+
     /// Length of the shaft, m.
     pub fn length(&self) -> f64 {
         self.segments.iter().map(|segment| segment.length).sum()

@@ -4,9 +4,11 @@
 
 mod format;
 mod picture;
+mod sketch;
 
 pub use format::{Format, WrongExtension};
 pub use picture::{Curve, Line, Mark, Matrix, Panel, Panels, Picture, Plane, Rows, Shaft, Shafts, Span};
+pub use sketch::{Ink, Place, Sketch, SketchFrame, Stroke};
 
 /// All that is written of a screen.
 #[derive(Debug, Clone, Default)]

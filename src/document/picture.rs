@@ -1,5 +1,7 @@
 //! Pictures as what is in them.
 
+use super::Sketch;
+
 /// One of few kinds.
 #[derive(Debug, Clone)]
 pub enum Picture {
@@ -7,6 +9,7 @@ pub enum Picture {
     Shafts(Shafts),
     Rows(Rows),
     Matrix(Matrix),
+    Sketch(Sketch),
 }
 
 /// Whose line it is, for colours and dashes.

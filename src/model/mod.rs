@@ -252,6 +252,18 @@ impl Rotors {
         }
     }
 
+    /// What is unusual about the mean states of the bearings, a line each: `pinion.bearing[0]: "B1" in its mean state: ...`. Names are as the
+    /// design has them.
+    pub fn mean_state_warnings(&self, design: &Design) -> Vec<String> {
+        let of = |side: Side| {
+            self.get(side).mean_states.warnings().map(move |(place, warning)| {
+                let name = &design.rotor(side).bearings[place].name;
+                format!("{}.bearing[{place}]: \"{name}\" in its mean state: {warning}", side.name())
+            })
+        };
+        Side::BOTH.into_iter().flat_map(of).collect()
+    }
+
     /// What the enhanced model rests on besides the first bending modes.
     pub fn caveats(&self) -> Vec<Caveat> {
         caveat::of(self)

@@ -4,6 +4,7 @@
 //! Screen, commands and reports show the same figures, since all take them from here.
 
 mod bevel;
+mod document;
 mod estimate;
 mod figures;
 mod import;
@@ -11,6 +12,7 @@ mod parallel;
 mod scene;
 mod thrust;
 
+pub use document::{data, notes, sketch, table_of};
 pub use estimate::{Estimate, METHOD, spiral_angle};
 pub use figures::{Arms, PairFigures, ShaftFigures};
 pub use import::{Flank, edit_of, read_flanks};

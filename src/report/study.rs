@@ -55,7 +55,15 @@ impl Study {
     ///
     /// As [`comparison::compare`].
     pub fn new(design: &Design, tolerance_db: f64) -> Result<Self, SolveError> {
-        let rotors = Rotors::new(design)?;
+        Self::of_rotors(design, Rotors::new(design)?, tolerance_db)
+    }
+
+    /// As [`new`](Self::new), of a design whose rotors are there already.
+    ///
+    /// # Errors
+    ///
+    /// As [`comparison::compare_rotors`].
+    pub fn of_rotors(design: &Design, rotors: Rotors, tolerance_db: f64) -> Result<Self, SolveError> {
         let go_on = || ControlFlow::Continue(());
         let (comparison, solved) = comparison::compare_solved(design, &rotors, None, &mut |_| go_on())?;
         let [fe, enhanced, basic] = &solved;

@@ -1,6 +1,5 @@
 //! What a mode is called: by where its kinetic energy is.
 
-use super::modes::RIGID_HZ;
 use super::{EnergyShare, Mode};
 use crate::design::Side;
 
@@ -83,7 +82,7 @@ impl Mode {
         const BOTH: f64 = 1.0 / 3.0;
         const ALONE: f64 = 0.5;
         const ONE_PLANE: f64 = 0.8;
-        if self.frequency_hz < RIGID_HZ {
+        if self.is_rigid() {
             return "rigid rotation".to_owned();
         }
         let ranked = self.ranked();

@@ -10,7 +10,8 @@ use super::{ResponseError, both_rotor_modes, secular};
 use crate::model::{Coordinate, Model, RotorModel, RotorModes, WorkDone};
 use crate::rotor::Motion;
 
-/// Shares of a mode's kinetic energy in the motions of one rotor.
+/// Shares of a mode's kinetic energy in the motions of one rotor: phi_i (M phi)_i over phi^T M phi. Of motions that the mass matrix
+/// couples, such as lateral and tilt of a shaft, one can be below 0; their sum never is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct EnergyShare {
     /// x and z
@@ -27,7 +28,7 @@ pub struct EnergyShare {
 const MODES_A_STEP: usize = 32;
 
 /// Below this a mode is the rigid rotation, Hz.
-pub(super) const RIGID_HZ: f64 = 0.01;
+const RIGID_HZ: f64 = 0.01;
 
 /// One natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +44,13 @@ pub struct Mode {
     pub participation: f64,
     /// phi^T M phi = 1; the pinion's coordinates, then the gear's
     pub shape: DVector<f64>,
+}
+
+impl Mode {
+    /// Whether it is the rigid rotation, whose frequency is 0 but for rounding.
+    pub fn is_rigid(&self) -> bool {
+        self.frequency_hz < RIGID_HZ
+    }
 }
 
 /// The lowest modes of a model, ascending; the rigid rotation first.

@@ -5,7 +5,7 @@ use super::app::App;
 use super::keymap::{self, Mode};
 use super::text_field::TextField;
 use super::theme::Theme;
-use super::traces::TOLERANCE_DB;
+use crate::agreement::TOLERANCE_DB;
 
 /// What is searched for.
 #[derive(Debug, Default)]

@@ -54,6 +54,8 @@ pub struct Summary {
     pub basic: Agreement,
     /// Of the enhanced model
     pub caveats: Vec<Caveat>,
+    /// What is unusual about the mean states of its bearings, a line each
+    pub warnings: Box<[String]>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -154,6 +156,7 @@ fn solve(
             enhanced: comparison.enhanced_agreement,
             basic: comparison.basic_agreement,
             caveats: comparison.caveats,
+            warnings: rotors.as_ref().map_or_else(Box::default, |rotors| rotors.mean_state_warnings(design).into()),
         };
         Ok(Solved { summary, traces, bearings })
     });

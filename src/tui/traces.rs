@@ -8,9 +8,6 @@ use super::axis::FrequencyAxis;
 use crate::comparison::Comparison;
 use crate::design::{Analysis, FrequencySpacing};
 
-/// How far the enhanced model may be off before a column is marked, dB.
-pub const TOLERANCE_DB: f64 = 3.0;
-
 /// Below this, a force counts as none, dB re 1 N.
 const FLOOR_DB: f64 = -400.0;
 

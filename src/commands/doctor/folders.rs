@@ -46,7 +46,8 @@ fn file(path: &Path) -> String {
     let shown = path.display();
     match fs::metadata(path) {
         Ok(metadata) if metadata.is_dir() => format!("{shown} (is a folder)"),
-        Ok(_) => match fs::read(path) {
+        Ok(metadata) if !metadata.is_file() => format!("{shown} (is no plain file)"),
+        Ok(_) => match fs::File::open(path) {
             // opened and closed as it is
             Ok(_) if OpenOptions::new().append(true).open(path).is_ok() => format!("{shown} (exists, can be written)"),
             Ok(_) => format!("{shown} (exists, cannot be written)"),

@@ -19,6 +19,9 @@ pub struct MeshOutput {
     /// Shortest distance of the axes; only where the design has gear data
     #[serde(skip_serializing_if = "Option::is_none")]
     offset_mm: Option<f64>,
+    /// What that is called: of parallel axes the centre distance
+    #[serde(skip)]
+    distance: &'static str,
     /// Arm of the gear over that of the pinion, and the teeth; only with the teeth of both
     #[serde(flatten)]
     arms: Option<ArmsOutput>,
@@ -92,6 +95,7 @@ impl MeshOutput {
             gear: side(&figures.gear),
             shaft_angle_deg: figures.pair.map(|pair| pair.shaft_angle.to_degrees()),
             offset_mm: figures.pair.map(|pair| pair.offset * 1e3),
+            distance: if figures.has_cones() { "offset" } else { "centre distance" },
             arms: figures.arms.map(ArmsOutput::from),
             normal_force_n: figures.normal_force.filter(|_| figures.torque.is_some()),
             at_1_n_m: if figures.torque.is_none() { under_1_n_m() } else { None },
@@ -136,7 +140,13 @@ impl MeshOutput {
             writeln!(out, "{line}")?;
         }
         if let Some((angle, offset)) = self.shaft_angle_deg.zip(self.offset_mm) {
-            writeln!(out, "shaft angle {} deg, offset {} mm", significant(angle, 6), significant(offset, 5))?;
+            writeln!(
+                out,
+                "shaft angle {} deg, {} {} mm",
+                significant(angle, 6),
+                self.distance,
+                significant(offset, 5)
+            )?;
         }
         if let Some(arms) = &self.arms {
             let [ratio, teeth] = [arms.torque_arm_ratio, arms.tooth_ratio].map(|ratio| significant(ratio, 5));

@@ -10,7 +10,7 @@ use nalgebra::Matrix6;
 
 use super::{CommandError, FileArg, Format, Status, input};
 use crate::comparison::SolveError;
-use crate::design::{Design, Side};
+use crate::design::{Design, RotorDesign, Side};
 use crate::model::{Model, ModelKind, Rotors};
 use crate::number::significant;
 use crate::report::{Table, json};
@@ -86,6 +86,9 @@ struct BearingOutput<'a> {
     /// Translations that are held; the stiffness says nothing of them
     hold: Vec<&'static str>,
     stiffness: [[f64; 6]; 6],
+    /// Which series springs are in it
+    #[serde(skip)]
+    springs: &'static str,
     /// Of ball and roller bearings only
     #[serde(skip_serializing_if = "Option::is_none")]
     mean_state: Option<MeanStateOutput>,
@@ -98,25 +101,27 @@ impl<'a> Output<'a> {
             design: &design.name,
             coordinates: Coordinates { fe: coordinates(ModelKind::Fe)?, lumped: coordinates(ModelKind::Basic)? },
             mesh: mesh::MeshOutput::new(design),
-            pinion: RotorOutput::new(rotors.get(Side::Pinion)),
-            gear: RotorOutput::new(rotors.get(Side::Gear)),
+            pinion: RotorOutput::new(&design.pinion, rotors.get(Side::Pinion)),
+            gear: RotorOutput::new(&design.gear, rotors.get(Side::Gear)),
         })
     }
 }
 
 impl<'a> RotorOutput<'a> {
-    fn new(rotor: &'a Rotor) -> Self {
-        let bearing = |(support, rolling): (&'a crate::rotor::Support, &Option<Rolling>)| BearingOutput {
-            mean_state: rolling.as_ref().map(MeanStateOutput::new),
-            name: &support.name,
-            hold: ["x", "y", "z"]
-                .into_iter()
-                .zip(support.held)
-                .filter(|(_, held)| *held)
-                .map(|(motion, _)| motion)
-                .collect(),
-            stiffness: rows(&support.stiffness),
-        };
+    fn new(design: &RotorDesign, rotor: &'a Rotor) -> Self {
+        let bearing =
+            |(place, (support, rolling)): (usize, (&'a crate::rotor::Support, &Option<Rolling>))| BearingOutput {
+                springs: design.springs_of(place),
+                mean_state: rolling.as_ref().map(MeanStateOutput::new),
+                name: &support.name,
+                hold: ["x", "y", "z"]
+                    .into_iter()
+                    .zip(support.held)
+                    .filter(|(_, held)| *held)
+                    .map(|(motion, _)| motion)
+                    .collect(),
+                stiffness: rows(&support.stiffness),
+            };
         Self {
             stations_mm: rotor.stations.positions.iter().map(|position| position * 1e3).collect(),
             mass_kg: rotor.totals.mass,
@@ -125,7 +130,14 @@ impl<'a> RotorOutput<'a> {
             centroid_mm: rotor.totals.centroid * 1e3,
             shaft_bearing_stiffness: rows(&rotor.statics.shaft_bearing_stiffness),
             bending: Planes { x: (&rotor.bending_x).into(), z: (&rotor.bending_z).into() },
-            bearings: rotor.supports.bearings.iter().zip(rotor.mean_states.bearings.iter()).map(bearing).collect(),
+            bearings: rotor
+                .supports
+                .bearings
+                .iter()
+                .zip(rotor.mean_states.bearings.iter())
+                .enumerate()
+                .map(bearing)
+                .collect(),
         }
     }
 }
@@ -203,7 +215,7 @@ fn write_rotor(out: &mut impl Write, rotor: &RotorOutput<'_>) -> io::Result<()> 
             if let Some(state) = &bearing.mean_state {
                 state.write(out, &name)?;
             }
-            writeln!(out, "bearing \"{name}\" with Kc, before Khb (N/m, N/rad; N m/rad)")?;
+            writeln!(out, "bearing \"{name}\"{} (N/m, N/rad; N m/rad)", bearing.springs)?;
             write!(out, "{}", matrix(&bearing.stiffness))?;
         } else {
             writeln!(out, "bearing \"{name}\": rigid, holds {}", bearing.hold.join(", "))?;

@@ -4,9 +4,10 @@ use std::fmt::Write as _;
 
 use super::table::{Cell, Table};
 use crate::design::grid::{CellKind, Column, Grid, Row, Shape, Sheet, Shown};
-use crate::design::{Loaded, grid};
+use crate::design::{Loaded, Source, grid};
 use crate::report::markup::escape;
 use crate::report::study::Study;
+use crate::text::printable;
 
 /// All tables that have anything in them.
 pub fn render(loaded: &Loaded) -> String {
@@ -118,10 +119,16 @@ fn shown(cell: &grid::Cell) -> Cell {
 pub fn warnings(loaded: &Loaded, study: &Study) -> String {
     let caveats = &study.comparison.caveats;
     let mut out = String::new();
-    if loaded.warnings.is_empty() {
+    let of_states = study.rotors.mean_state_warnings(&loaded.design);
+    if loaded.warnings.is_empty() && of_states.is_empty() {
         out.push_str("<p>The file raises no warning.</p>\n");
     } else {
-        let rendered = loaded.render_warnings();
+        let file = loaded.file_name();
+        let mut rendered = Source::new(&file, &loaded.text).render_all(&loaded.warnings);
+        for warning in of_states {
+            // writing to a String cannot fail
+            let _ = writeln!(rendered, "{}: warning: {}", printable(&file), printable(&warning));
+        }
         let lines: Vec<String> = rendered.trim_end().lines().map(escape).collect();
         // writing to a String cannot fail
         let _ = writeln!(out, "<pre>{}</pre>", lines.join("\n"));

@@ -1,7 +1,7 @@
 //! The figures of agreement, and the peaks behind them.
 
 use super::table::{Cell, Table};
-use crate::agreement::{Agreement, PeakPair, Tolerance};
+use crate::agreement::{Agreement, FARTHEST_PEAK, LEAST_PROMINENCE_DB, PeakPair, Tolerance};
 use crate::number::{grouped, significant};
 use crate::report::markup::escape;
 use crate::report::study::Study;
@@ -62,7 +62,8 @@ pub fn peaks(study: &Study) -> String {
     let comparison = &study.comparison;
     let of = |name, agreement: &Agreement| {
         let caption = format!(
-            "Peaks of at least 3 dB prominence, finite elements and {name}, paired by frequency within 15 %; a dash: no partner"
+            "Peaks of at least {LEAST_PROMINENCE_DB} dB prominence, finite elements and {name}, paired by frequency within {:.0} %; a dash: no partner",
+            100.0 * FARTHEST_PEAK
         );
         let mut table =
             Table::new(&caption, ["finite elements, Hz#", &format!("{name}, Hz#"), "shift, %#", "height, dB#"]);
@@ -72,7 +73,9 @@ pub fn peaks(study: &Study) -> String {
             table.row([hz(fe_hz), hz(lumped_hz), signed(shift_percent), signed(height_db)]);
         }
         if agreement.peaks.is_empty() {
-            return format!("<p>No peak of at least 3 dB prominence, finite elements and {name}.</p>\n");
+            return format!(
+                "<p>No peak of at least {LEAST_PROMINENCE_DB} dB prominence, finite elements and {name}.</p>\n"
+            );
         }
         table.render()
     };

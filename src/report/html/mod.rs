@@ -5,19 +5,19 @@ mod design;
 mod figures;
 mod masses;
 mod modes;
+mod pair;
 mod shown;
 mod table;
 
 pub use shown::shown;
 
-use std::ffi::OsStr;
 use std::fmt::Write as _;
-use std::path::Path;
 
 use super::markup::escape;
 use super::study::Study;
 use super::svg::{self, Picture, STYLE};
 use crate::design::{Loaded, hash};
+use crate::model::mesh_frequency_hz;
 
 /// One design of a page.
 #[derive(Debug, Clone, Copy)]
@@ -95,7 +95,10 @@ impl Article<'_> {
         };
         let spectra = figure(
             &svg::spectra(design, study),
-            "Resonances and antiresonances are drawn exactly, also between the lines of the analysis. Numbered bands: the list below.",
+            &format!(
+                "Resonances and antiresonances are drawn exactly, also between the lines of the analysis. Numbered bands: the list below.{}",
+                mesh_frequency_hz(design).map_or_else(String::new, svg::harmonics_in_words)
+            ),
         );
         let levels = figure(&svg::levels(design, study), "Mean square of the lines in each band.");
         let side_view = figure(
@@ -112,6 +115,7 @@ impl Article<'_> {
             self.section("Sixth-octave levels", &format!("{levels}{}", bands::levels(study))),
             self.section("Resonance peaks", &figures::peaks(study)),
             self.section("Natural modes with the mesh", &modes::render(study)),
+            self.section("Gear pair", &pair::render(design, figure)),
             self.section("Masses at the mesh", &masses::render(study)),
             self.section("Side view", &side_view),
             self.section("The design", &design::render(loaded)),
@@ -132,8 +136,7 @@ impl Article<'_> {
             let _ = writeln!(out, "<p dir=\"auto\">{}</p>", lines.join("<br/>\n"));
         }
         // a page is passed on: the folders are nobody else's business
-        let file =
-            Path::new(&loaded.name).file_name().map_or_else(|| loaded.name.clone().into(), OsStr::to_string_lossy);
+        let file = loaded.file_name();
         let facts = [
             ("File", format!("<bdi>{}</bdi>", escape(&file))),
             ("Design hash", format!("{} (SHA-256)", hash(loaded.text.as_bytes()))),

@@ -1,7 +1,7 @@
 //! Natural modes: where their energy is, and which of them pair up.
 
 use super::table::{Cell, Table};
-use crate::agreement::{COMPARED_FE_MODES, ModePair};
+use crate::agreement::{COMPARED_FE_MODES, LEAST_MAC, ModePair};
 use crate::number::significant;
 use crate::report::study::Study;
 use crate::response::{Mode, Modes};
@@ -23,28 +23,30 @@ fn finite_elements(modes: &Modes) -> String {
     let heads = ["mode#", "Hz#", "name"].into_iter().chain(SHARES).chain(["mesh#"]);
     let mut table = Table::new(&caption, heads);
     for (i, mode) in modes.0.iter().take(COMPARED_FE_MODES).enumerate() {
-        let start = [Cell::number(&i.to_string()), frequency(mode), Cell::text(&mode.name())];
+        let start = [Cell::number(&(i + 1).to_string()), frequency(mode), Cell::text(&mode.name())];
         table.row(start.into_iter().chain(shares(mode)).chain([percent(mode.mesh_strain_share)]));
     }
     table.render()
 }
 
 fn lumped(name: &str, modes: &Modes, pairs: &[ModePair], fe: &Modes) -> String {
-    let caption = format!("{name} lumped model, with the finite element modes of the same shape (MAC at least 0.5)");
+    let caption =
+        format!("{name} lumped model, with the finite element modes of the same shape (MAC at least {LEAST_MAC})");
     let heads = ["mode#", "Hz#"].into_iter().chain(SHARES).chain(["FE mode#", "FE, Hz#", "shift, %#", "MAC#"]);
     let mut table = Table::new(&caption, heads);
     for (i, mode) in modes.0.iter().enumerate() {
         let pair = pairs.iter().find(|pair| pair.lumped == i);
         let partner = pair.and_then(|pair| fe.0.get(pair.fe));
-        let shift = partner.map(|partner| 100.0 * (mode.frequency_hz / partner.frequency_hz - 1.0));
+        // the rigid rotation has no frequency to be off from
+        let shift = partner.filter(|partner| !partner.is_rigid());
+        let shift = shift.map(|partner| 100.0 * (mode.frequency_hz / partner.frequency_hz - 1.0));
         let end = [
-            Cell::number_or_none(pair.map(|pair| pair.fe.to_string())),
+            Cell::number_or_none(pair.map(|pair| (pair.fe + 1).to_string())),
             partner.map_or_else(Cell::none, frequency),
-            // the rigid rotation has no frequency to be off from
-            Cell::number_or_none(shift.filter(|shift| shift.abs() < 1e3).map(|shift| format!("{shift:+.2}"))),
+            Cell::number_or_none(shift.map(|shift| format!("{shift:+.2}"))),
             Cell::number_or_none(pair.map(|pair| format!("{:.2}", pair.mac))),
         ];
-        let start = [Cell::number(&i.to_string()), frequency(mode)];
+        let start = [Cell::number(&(i + 1).to_string()), frequency(mode)];
         table.row(start.into_iter().chain(shares(mode)).chain(end));
     }
     table.render()

@@ -38,7 +38,7 @@ pub fn shown(document: &Document, date: &str) -> String {
     out
 }
 
-fn rendered(table: &document::Table) -> String {
+pub(super) fn rendered(table: &document::Table) -> String {
     let head = |column: &document::Column| match column.values {
         Values::Texts(_) => column.name.clone(),
         Values::Numbers(_) | Values::Figures(_) => format!("{}#", column.name),

@@ -8,12 +8,13 @@ mod levels;
 mod panels;
 mod shapes;
 mod side_view;
+mod sketch;
 mod spectra;
 
-pub use document::picture;
+pub use document::{pair, picture};
 pub use levels::levels;
 pub use side_view::side_view;
-pub use spectra::spectra;
+pub use spectra::{harmonics_in_words, spectra};
 
 use std::fmt::Write as _;
 

@@ -6,6 +6,7 @@ use super::frame::{Frame, MODELS, legend};
 use super::{Anchor, Drawing, Picture, WIDTH, text_width};
 use crate::agreement::{Agreement, Causes, Tolerance};
 use crate::design::{Design, FrequencySpacing};
+use crate::model::mesh_frequency_hz;
 use crate::number::grouped;
 use crate::number::ticks::round_step;
 use crate::report::study::{Study, widest_difference_db};
@@ -25,13 +26,15 @@ pub fn spectra(design: &Design, study: &Study) -> Picture {
     let x = Axis { low, high, log, from: LEFT, to: RIGHT };
     let mut drawing = Drawing::default();
     legend(&mut drawing, [LEFT, 14.0], &format!("enhanced more than {} dB off, line by line", study.tolerance_db));
+    let mesh = mesh_frequency_hz(design);
     levels(&mut drawing, x, study);
+    harmonics(&mut drawing, x, mesh);
     difference(&mut drawing, x, study);
     drawing.text("label", [f64::midpoint(LEFT, RIGHT), HEIGHT - 6.0], Anchor::Middle, "frequency, Hz");
     Picture {
         name: "spectra",
         title: format!("Dynamic mesh force of {}", design.name),
-        description: description(study, [low, high]),
+        description: description(study, [low, high]) + &mesh.map_or_else(String::new, harmonics_in_words),
         height: HEIGHT,
         body: drawing.0,
     }
@@ -71,6 +74,36 @@ fn levels(drawing: &mut Drawing, x: Axis, study: &Study) {
     }
     limits(drawing, x, study);
     drawing.text("label", [4.0, LEVELS[0] - 8.0], Anchor::Start, "dB re 1 N");
+}
+
+/// Harmonics of the mesh frequency that are marked.
+const HARMONICS: u32 = 9;
+
+/// What the marks 1x, 2x and so on mean.
+pub fn harmonics_in_words(mesh_hz: f64) -> String {
+    format!(
+        " The mesh frequency at the speed of the design, {} Hz, and its harmonics are marked 1\u{d7}, 2\u{d7} and so on.",
+        grouped(mesh_hz)
+    )
+}
+
+/// The mesh frequency and its harmonics, named where there is room.
+fn harmonics(drawing: &mut Drawing, x: Axis, mesh_hz: Option<f64>) {
+    let Some(mesh_hz) = mesh_hz else { return };
+    let mut free = f64::NEG_INFINITY;
+    let orders = (1..=HARMONICS).map(|order| (order, f64::from(order) * mesh_hz));
+    for (order, hz) in orders.filter(|(_, hz)| (x.low..=x.high).contains(hz)) {
+        let at = x.at(hz);
+        for [top, bottom] in [LEVELS, DIFFERENCE] {
+            drawing.line("place", [at, top], [at, bottom]);
+        }
+        let text = format!("{order}\u{d7}");
+        let width = text_width(&text);
+        if at > free && at + 3.0 + width <= x.to {
+            drawing.text("faint", [at + 3.0, LEVELS[0] + 13.0], Anchor::Start, &text);
+            free = at + 3.0 + width;
+        }
+    }
 }
 
 /// The shaded bands, numbered as in the list where there is room.

@@ -53,6 +53,13 @@ impl App {
                 let [a, b] = view.paths().each_ref().map(|path| stem(path));
                 Some((format!("{a}-and-{b}.csv"), document(view.document()?)))
             }
+            Mode::Bearings => Some((
+                format!("{}-bearings.csv", stem(&self.editors.open()?.path)),
+                document(self.bearings_document()?),
+            )),
+            Mode::Pair => {
+                Some((format!("{}-gear-pair.csv", stem(&self.editors.open()?.path)), document(self.pair_document()?)))
+            }
             _ => {
                 let path = match self.editors.open() {
                     Some(editing) => editing.path.clone(),

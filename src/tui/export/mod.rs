@@ -4,10 +4,12 @@
 //! key ─> Shown, name ─> Export ─> Document ─> Backend ─> file
 //! ```
 
+mod bearings;
 mod compare;
 mod form;
 mod modes;
 mod overview;
+mod pair;
 mod spectra;
 
 use std::path::PathBuf;
@@ -16,7 +18,10 @@ pub use form::ExportForm;
 pub use spectra::ShownSpectra;
 
 use super::backend::Backend;
-use crate::document::Document;
+use super::editor::Editing;
+use crate::design;
+use crate::document::{Document, Source};
+use crate::text::printable;
 
 /// A file to be written.
 #[derive(Debug, Clone)]
@@ -60,4 +65,12 @@ impl Export {
             Shown::Design { path, text } => backend.export_design(&self.path, path, text.as_deref()),
         }
     }
+}
+
+/// The design of the tables as it is now.
+fn source(editing: &Editing) -> Source {
+    let stem = editing.path.file_stem().unwrap_or_default().to_string_lossy();
+    let unsaved = if editing.is_modified() { " (unsaved edits)" } else { "" };
+    let hash = design::hash(editing.editor.text().as_bytes());
+    Source { role: "design".into(), name: format!("{}{unsaved}", printable(&stem)), hash: Some(hash) }
 }

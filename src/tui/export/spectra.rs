@@ -9,7 +9,7 @@ use crate::model::{ModelKind, RecoveryKind, mesh_frequency_hz};
 use crate::number::{grouped, significant};
 use crate::text::printable;
 use crate::tui::axis::FrequencyAxis;
-use crate::tui::spectra::{Curve as Known, Findings, Lower, ModelCurves, Quantity, SpectraView, Subject, name};
+use crate::tui::spectra::{Curve as Known, Findings, Lower, ModelCurves, Quantity, SpectraView, Subject, legend_name};
 use crate::tui::traces::range;
 
 /// What is needed to write the spectra as they are now: shared, so that no line is copied.
@@ -37,12 +37,10 @@ impl SpectraView {
         let has_curve = |model: &Arc<ModelCurves>| model.curve(self.quantity).is_some();
         let models: Vec<_> = self.shown_kinds().filter_map(|kind| self.known.model(kind).cloned()).collect();
         let models: Vec<_> = models.into_iter().filter(has_curve).collect();
-        let is_current =
-            |findings: &&Arc<Findings>| findings.against == self.against() && findings.quantity == self.quantity;
         (!models.is_empty()).then(|| ShownSpectra {
             subject,
             models,
-            findings: self.known.findings.as_ref().filter(is_current).cloned(),
+            findings: self.shared_findings().cloned(),
             quantity: self.quantity,
             against: self.against(),
             lower: self.lower,
@@ -60,7 +58,7 @@ impl ShownSpectra {
     /// A word for file names.
     pub fn name(&self) -> String {
         let column = self.quantity.column(&self.subject.design);
-        column.trim_end_matches("_n").trim_end_matches("_um").to_owned()
+        column.strip_suffix("_n").or(column.strip_suffix("_um")).unwrap_or(&column).to_owned()
     }
 
     pub fn document(&self) -> Document {
@@ -151,7 +149,7 @@ impl ShownSpectra {
             log: self.axis.log,
             panels: vec![self.upper(self.quantity), self.below()],
             bands: spans.collect(),
-            band: format!("{} off by more than {} dB, line by line", name(self.against), self.tolerance),
+            band: format!("{} off by more than {} dB, line by line", legend_name(self.against), self.tolerance),
             marks,
         }
     }
@@ -216,7 +214,7 @@ impl ShownSpectra {
                 Panel {
                     label: format!(
                         "{} over FE, dB (tolerance {} dB, line by line)",
-                        name(self.against),
+                        legend_name(self.against),
                         self.tolerance
                     ),
                     range: (-limit, limit),
@@ -238,7 +236,7 @@ impl ShownSpectra {
             ModelKind::Basic => Line::Basic,
             ModelKind::Reduced(_) => Line::Reduced,
         };
-        Curve { line, name: name(kind), points: all[from..to].to_vec() }
+        Curve { line, name: legend_name(kind), points: all[from..to].to_vec() }
     }
 }
 
@@ -261,7 +259,7 @@ fn bands(findings: &Findings) -> Table {
     Table {
         caption: format!(
             "Bands in which {} is more than {} dB off, line by line",
-            name(findings.against),
+            legend_name(findings.against),
             findings.tolerance
         ),
         columns: vec![
@@ -291,10 +289,13 @@ fn peaks(findings: &Findings) -> Table {
     };
     let hz = |hz: Option<f64>| hz.map(|hz| significant(hz, 5));
     let signed = |value: Option<f64>| value.map(|value| format!("{value:+.2}"));
-    let against = name(findings.against);
-    let beside = findings.beside.map_or_else(|| "other, Hz".into(), |kind| format!("{}, Hz", name(kind)));
+    let against = legend_name(findings.against);
+    let beside = findings.beside.map_or_else(|| "other, Hz".into(), |kind| format!("{}, Hz", legend_name(kind)));
     Table {
-        caption: format!("Peaks of FE and {against}, paired by frequency within 15 %; a dash: no partner"),
+        caption: format!(
+            "Peaks of FE and {against}, paired by frequency within {:.0} %; a dash: no partner",
+            100.0 * crate::agreement::FARTHEST_PEAK
+        ),
         columns: vec![
             Column::new("peak", "peak", Values::Texts((1..=all.len()).map(|at| at.to_string()).collect())),
             Column::new("fe_hz", "FE, Hz", numbers(&|pair| hz(pair.fe_hz))),

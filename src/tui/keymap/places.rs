@@ -132,7 +132,7 @@ pub const VIEWS: &[Mode] = &[
 /// Those that are whole screens.
 pub const SCREENS: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Bearings, Mode::Overview, Mode::Pair];
 /// Those that can be written to a file with a key.
-pub const WRITTEN: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Overview];
+pub const WRITTEN: &[Mode] = &[Mode::Compare, Mode::Spectra, Mode::Modes, Mode::Bearings, Mode::Overview, Mode::Pair];
 pub const ANSWERED: &[Mode] = &[Mode::Palette, Mode::Name, Mode::Export, Mode::Frequency, Mode::Torque, Mode::Confirm];
 pub const MODES: &[Mode] = &[Mode::Modes];
 pub const BEARINGS: &[Mode] = &[Mode::Bearings];

@@ -56,6 +56,16 @@ impl Row {
         name.filter(|name| !name.is_empty()).unwrap_or_else(|| self.stem.clone())
     }
 
+    /// What of the file looks unintended, and what is unusual about the mean states of its bearings.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        let of_file = self.loaded.iter().flat_map(|loaded| &loaded.warnings);
+        let of_states = match &self.state {
+            RowState::Solved(summary) => &*summary.warnings,
+            _ => &[],
+        };
+        of_file.chain(of_states).map(String::as_str)
+    }
+
     /// The file's name as it is, without `.toml`: what a variant names as its parent.
     pub(super) fn raw_stem(&self) -> String {
         self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()

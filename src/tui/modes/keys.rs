@@ -121,6 +121,8 @@ impl App {
         let Some(view) = &mut self.modes else { return Vec::new() };
         let Some(study) = view.study().cloned() else { return Vec::new() };
         view.deflection_hz = Some(at_hz);
+        // that of another frequency would be drawn under this one
+        view.deflection = None;
         view.mac = None;
         // with the reduced model it comes as well
         if view.is_reducing {
@@ -138,9 +140,9 @@ impl App {
 
     fn accept_frequency(&mut self) -> Vec<Effect> {
         let Some(view) = &self.modes else { return Vec::new() };
-        let text = view.field.text().trim().trim_end_matches("Hz").replace(',', "");
+        let text = without_groups(view.field.text().trim().trim_end_matches("Hz").trim());
         let Some([low, high]) = view.study().map(band) else { return Vec::new() };
-        match text.trim().parse::<f64>() {
+        match text.parse::<f64>() {
             Ok(hz) if (low..=high).contains(&hz) => {
                 self.close();
                 self.deflect(hz)
@@ -180,7 +182,12 @@ impl App {
                 view.deflection = None;
                 return view.deflection_hz.map_or(Vec::new(), |hz| self.deflect(hz));
             }
-            Ok(Answer::Deflection(found)) => view.deflection = Some(Ok(found)),
+            // it may have been left meanwhile
+            Ok(Answer::Deflection(found)) => {
+                if view.deflection_hz.is_some() {
+                    view.deflection = Some(Ok(found));
+                }
+            }
             Err(error) if view.is_reducing => {
                 view.is_reducing = false;
                 view.model = 0;
@@ -191,6 +198,15 @@ impl App {
         }
         Vec::new()
     }
+}
+
+/// A number without the commas between its thousands; what has others stays as it is, and is no number: `1,5` is neither 1.5 nor 15.
+fn without_groups(text: &str) -> String {
+    let whole = text.split('.').next().unwrap_or_default();
+    let mut groups = whole.split(',');
+    let is_short = groups.next().is_some_and(|first| (1..=3).contains(&first.len()));
+    let is_grouped = is_short && groups.all(|group| group.len() == 3);
+    if is_grouped { text.replace(',', "") } else { text.to_owned() }
 }
 
 /// The row whose mode is nearest to a frequency.

@@ -33,8 +33,7 @@ pub fn rows(study: &Study) -> Vec<ModeRow> {
         let small = study.one(model)?;
         let pair = small.pairs.iter().find(|pair| pair.fe == fe)?;
         let (hz, fe_hz) = (small.own.modes.0[pair.lumped].frequency_hz, study.fe.modes.0[fe].frequency_hz);
-        let shift_percent =
-            Some(100.0 * (hz - fe_hz) / fe_hz).filter(|_| study.fe.modes.0[fe].mesh_strain_share > 0.0 || fe_hz > 1.0);
+        let shift_percent = Some(100.0 * (hz - fe_hz) / fe_hz).filter(|_| !study.fe.modes.0[fe].is_rigid());
         Some(Partner { mode: pair.lumped, hz, shift_percent, mac: Some(pair.mac) })
     };
     let of_fe = (0..study.fe.modes.0.len())

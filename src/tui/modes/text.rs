@@ -2,7 +2,7 @@
 
 use super::{ModesView, SmallStudy};
 use crate::number::significant;
-use crate::tui::widgets::wide_plot::legend_name;
+use crate::tui::spectra::legend_name;
 
 impl ModesView {
     /// The table as lines with tabs, for a spreadsheet.

@@ -58,7 +58,8 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
         let [angle, offset] = [pair.shaft_angle.to_degrees(), pair.offset * 1e3];
         let offset = if offset < 5e-4 { "0".into() } else { significant(offset, 5) };
         lines.push(Line::Single(format!("shaft angle {} deg", significant(angle, 5))));
-        lines.push(Line::Single(format!("offset {offset} mm")));
+        let name = if figures.has_cones() { "offset" } else { "centre distance" };
+        lines.push(Line::Single(format!("{name} {offset} mm")));
     }
     for (at, name) in ["mesh point x", "           y", "           z"].into_iter().enumerate() {
         lines.push(Line::Both(name, both(&|shaft| fixed(shaft.vectors.point[at] * 1e3, 3)), "mm"));

@@ -139,7 +139,9 @@ fn render_state(editing: &Editing, view: &BearingsView, theme: &Theme, area: Rec
     let name = format!("{stale}{}: {}", name(row), row.bearing.model.word());
     let inner = panel::frame(area, buffer, &Title::left(name), false, theme);
     bearing_state::render(row, theme, inner, buffer);
-    let left = bearing_state::STIFFNESS.map(str::to_owned).into();
+    let design = editing.last_design.as_ref();
+    let springs = design.map_or("", |design| design.rotor(row.side).springs_of(row.place));
+    let left = bearing_state::stiffness_units(springs);
     panel::bottom(area, buffer, &Title { left, right: Vec::new() }, false, theme);
 }
 

@@ -20,7 +20,7 @@ use crate::text::{cut, printable, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::{App, Outcome};
 use crate::tui::keymap::Mode;
-use crate::tui::library::RowState;
+use crate::tui::library::{Row, RowState};
 use crate::tui::widgets::panel::{self, Title};
 use crate::tui::widgets::{difference_strip, figures, footer, header, library, plot, side_view, spectrum, text_pane};
 
@@ -91,9 +91,8 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
     let Some(Outcome::Solved { picture, summary, .. }) = &mut app.detail.outcome else { return };
     let inner = panel::frame(area, buffer, &spectrum::title(&theme, area.width), false, &theme);
-    let warnings =
-        app.library.selected().and_then(|row| row.loaded.as_ref()).map_or(&[][..], |loaded| &loaded.warnings);
-    let warned = warning_lines(warnings, usize::from(inner.width.saturating_sub(2)), theme.glyphs.ellipsis);
+    let warnings: Vec<&str> = app.library.selected().into_iter().flat_map(Row::warnings).collect();
+    let warned = warning_lines(&warnings, usize::from(inner.width.saturating_sub(2)), theme.glyphs.ellipsis);
     let below = Rect { y: inner.bottom() - warned.len() as u16, height: warned.len() as u16, ..inner };
     let inner = Rect { height: inner.height - below.height, ..inner };
     for (line, y) in warned.iter().zip(below.top()..below.bottom()) {
@@ -110,7 +109,7 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The first warning in at most two lines, and how many there are besides.
-fn warning_lines(warnings: &[String], width: usize, ellipsis: &str) -> Vec<String> {
+fn warning_lines(warnings: &[&str], width: usize, ellipsis: &str) -> Vec<String> {
     let Some(first) = warnings.first() else { return Vec::new() };
     let more = if warnings.len() > 1 { format!(" (and {} more)", warnings.len() - 1) } else { String::new() };
     let lines = wrap(&format!("! {}{more}", printable(first)), width);

@@ -24,10 +24,10 @@ use crate::number::significant;
 use crate::text::{printable, wrap};
 use crate::tui::app::App;
 use crate::tui::modes::{ModesView, PHASES, Study};
+use crate::tui::spectra::legend_name;
 use crate::tui::theme::Theme;
 use crate::tui::widgets::mode_table::hertz;
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::wide_plot::legend_name;
 use crate::tui::widgets::{deflection_figures, energy_bars, footer, header, mac_picture, mode_shape, mode_table};
 
 /// Rows of the smallest terminal in which the partner's energy stands below that of finite elements.

@@ -104,8 +104,7 @@ fn bottom(chosen: &Row, scale: &Scale, theme: &Theme, width: u16) -> Title<'stat
 }
 
 fn warnings(row: &Row) -> Vec<String> {
-    let warnings = row.loaded.as_ref().map_or(&[][..], |loaded| &loaded.warnings);
-    warnings.iter().map(|warning| printable(warning).into_owned()).collect()
+    row.warnings().map(|warning| printable(warning).into_owned()).collect()
 }
 
 /// The chosen design's spectrum, where there is room.

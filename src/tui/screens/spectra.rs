@@ -109,7 +109,7 @@ fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
     for kind in view.shown_kinds() {
         let sample = wide_plot::sample(kind, theme);
         let missing = if view.missing.contains(&kind) { theme.glyphs.broken } else { "" };
-        let name = wide_plot::legend_name(kind);
+        let name = crate::tui::spectra::legend_name(kind);
         right.push(Span::styled(format!("{sample} {name}{missing} "), wide_plot::style(kind, theme)));
     }
     right.push(Span::styled(theme.glyphs.band.to_string(), theme.band));
@@ -124,7 +124,7 @@ fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
 }
 
 fn lower_title(view: &SpectraView, theme: &Theme) -> Title<'static> {
-    let against = wide_plot::legend_name(view.against());
+    let against = crate::tui::spectra::legend_name(view.against());
     let minus = theme.glyphs.minus;
     let mut left = match view.lower {
         Lower::Difference => {

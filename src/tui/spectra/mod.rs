@@ -14,12 +14,13 @@ mod update;
 mod why;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 pub use columns::{Drawn, Request};
 pub use curve::Curve;
 pub use job::{Known, Part, SpectraJob, perform};
 pub use quantity::Quantity;
-pub use readout::{Item, level_text, name, value};
+pub use readout::{Item, legend_name, level_text, value};
 pub use solve::{ModelCurves, Subject};
 pub use why::{Band, Findings, Labelled};
 
@@ -123,7 +124,7 @@ impl SpectraView {
             shown: [true, true, true, false],
             reduced: FIRST_REDUCED,
             against: 1,
-            tolerance: super::traces::TOLERANCE_DB,
+            tolerance: crate::agreement::TOLERANCE_DB,
             log: false,
             linear_level: false,
             lower: Lower::Difference,
@@ -163,8 +164,17 @@ impl SpectraView {
 
     /// Bands and peaks of what is shown.
     pub fn findings(&self) -> Option<&Findings> {
-        let of = |findings: &&Findings| findings.against == self.against() && findings.quantity == self.quantity;
-        self.known.findings.as_deref().filter(of)
+        self.shared_findings().map(|findings| &**findings)
+    }
+
+    /// Those of another model, quantity or tolerance are not those of what is shown.
+    pub(super) fn shared_findings(&self) -> Option<&Arc<Findings>> {
+        let is_same = |findings: &&Arc<Findings>| {
+            findings.against == self.against()
+                && findings.quantity == self.quantity
+                && findings.tolerance.to_bits() == self.tolerance.to_bits()
+        };
+        self.known.findings.as_ref().filter(is_same)
     }
 
     /// Lines of the analysis, Hz.

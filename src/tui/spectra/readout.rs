@@ -37,10 +37,10 @@ impl SpectraView {
         for kind in self.shown_kinds() {
             let Some(curve) = self.curve(kind, self.quantity) else { continue };
             let here = curve.lines[self.cursor];
-            let mut text = format!("{} {}", name(kind), value(here, self.quantity, self.linear_level, ascii));
+            let mut text = format!("{} {}", legend_name(kind), value(here, self.quantity, self.linear_level, ascii));
             if let Some(fe) = fe.filter(|_| kind != ModelKind::Fe) {
                 let difference = 20.0 * (here.norm() / fe.norm()).log10();
-                text = format!("{text} ({difference:+.2} dB)");
+                text = format!("{text} ({} dB)", signed(difference));
             }
             items.push(Item { kind: Some(kind), text });
         }
@@ -57,12 +57,17 @@ impl SpectraView {
 }
 
 /// How the curves are called in legends.
-pub fn name(kind: ModelKind) -> String {
+pub fn legend_name(kind: ModelKind) -> String {
     match kind {
         ModelKind::Fe => "FE".into(),
         ModelKind::Reduced(modes) => format!("reduced:{modes}"),
         other => other.name().into_owned(),
     }
+}
+
+/// With its sign; none on what is rounded away.
+fn signed(db: f64) -> String {
+    if db.abs() < 0.005 { "0.00".into() } else { format!("{db:+.2}") }
 }
 
 fn frequency(hz: f64) -> String {
@@ -76,7 +81,7 @@ impl SpectraView {
     pub fn why(&self) -> Vec<String> {
         let Some((at, findings)) = self.band_at().zip(self.findings()) else { return Vec::new() };
         let band = &findings.bands[at];
-        let against = name(findings.against);
+        let against = legend_name(findings.against);
         let place = format!(
             "Band {} of {}: {} to {} Hz, {against} at worst {:+.1} dB at {} Hz (tolerance {} dB).",
             at + 1,
@@ -96,5 +101,17 @@ impl SpectraView {
             lines.push("The modes are still being computed.".into());
         }
         lines
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::signed;
+
+    #[test]
+    fn what_is_rounded_away_has_no_sign() {
+        for (db, text) in [(-0.004, "0.00"), (0.0, "0.00"), (0.004, "0.00"), (-0.006, "-0.01"), (1.0, "+1.00")] {
+            assert_eq!(signed(db), text);
+        }
     }
 }

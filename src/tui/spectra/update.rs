@@ -69,7 +69,7 @@ impl App {
                 let view = self.spectra.as_mut()?;
                 let against = view.against;
                 let wants_more = view.act(action);
-                let name = readout::name(view.against());
+                let name = readout::legend_name(view.against());
                 if view.against != against {
                     self.say(format!("held against FE: {name}"));
                 }

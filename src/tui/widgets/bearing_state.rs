@@ -25,8 +25,10 @@ const LABEL: usize = 4;
 /// Rows that everything takes but the notes.
 pub const HEIGHT: u16 = 10;
 
-/// Units of the stiffness and what is in it, the longest first.
-pub const STIFFNESS: [&str; 2] = ["6x6 with Kc, before Khb: N/m, N/rad = N, N m/rad", "6x6: N/m, N/rad, N m/rad"];
+/// Units of the stiffness and which series springs are in it, the longest first.
+pub fn stiffness_units(springs: &str) -> Vec<String> {
+    vec![format!("6x6{springs}: N/m, N/rad = N, N m/rad"), "6x6: N/m, N/rad, N m/rad".into()]
+}
 
 /// Draws what is known of a bearing.
 pub fn render(row: &BearingRow<'_>, theme: &Theme, area: Rect, buffer: &mut Buffer) {

@@ -11,10 +11,11 @@ use num_complex::Complex;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::wide_plot::{legend_name, style};
+use super::wide_plot::style;
 use crate::model::ModelKind;
 use crate::number::significant;
 use crate::tui::modes::{Deflection, DeflectionShapes, Study};
+use crate::tui::spectra::legend_name;
 use crate::tui::theme::Theme;
 
 const LABEL: usize = 22;

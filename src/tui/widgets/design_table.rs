@@ -59,9 +59,9 @@ pub fn solved(row: &Row) -> Option<&Summary> {
     }
 }
 
-/// Whether something in its file looks unintended.
+/// Whether something about it looks unintended.
 pub fn is_warned(row: &Row) -> bool {
-    row.loaded.as_ref().is_some_and(|loaded| !loaded.warnings.is_empty())
+    row.warnings().next().is_some()
 }
 
 /// Whether a table of this width has spectra in it.

@@ -16,10 +16,10 @@ use ratatui::layout::Rect;
 use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
 use super::plot::{GUTTER, curve_width};
+use crate::agreement::TOLERANCE_DB;
 use crate::tui::app::Picture;
 use crate::tui::marker::Marker;
 use crate::tui::theme::Theme;
-use crate::tui::traces::TOLERANCE_DB;
 
 /// The scales, dB, few, so that two designs can be compared by eye; what is beyond the largest is drawn to the edge.
 const LIMITS: [f64; 3] = [10.0, 20.0, LARGEST];

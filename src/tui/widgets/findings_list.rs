@@ -19,7 +19,7 @@ pub fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
         _ => (findings.bands.len(), "band"),
     };
     let plural = if count == 1 { "" } else { "s" };
-    let against = super::wide_plot::legend_name(findings.against);
+    let against = crate::tui::spectra::legend_name(findings.against);
     let long = match view.listed {
         Listed::Peaks => format!("{count} {word}{plural}, FE and {against}"),
         _ => format!("{count} {word}{plural}, {against} off by >{} dB line by line", findings.tolerance),
@@ -75,7 +75,7 @@ fn peak_heads(findings: &Findings, has_beside: bool) -> String {
     let short = |kind: ModelKind| match kind {
         ModelKind::Enhanced => "enh. Hz".into(),
         ModelKind::Reduced(modes) => format!("r:{modes} Hz"),
-        kind => format!("{} Hz", super::wide_plot::legend_name(kind)),
+        kind => format!("{} Hz", crate::tui::spectra::legend_name(kind)),
     };
     let beside = findings.beside.filter(|_| has_beside).map_or(String::new(), |kind| format!("{:>9}", short(kind)));
     format!(" #  FE Hz{:>8}   shift%    dB{beside}  mode", short(findings.against))

@@ -134,7 +134,7 @@ impl Widths {
                     limit if limit > 0.0 => grouped(limit),
                     _ => "nowhere".into(),
                 };
-                let warned = row.loaded.as_ref().is_some_and(|loaded| !loaded.warnings.is_empty());
+                let warned = row.warnings().next().is_some();
                 let limit = if warned { format!("! {limit}") } else { limit };
                 self.line(&name, &summary.fe_coordinates.to_string(), &limit, theme)
             }

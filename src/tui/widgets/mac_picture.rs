@@ -13,8 +13,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::mode_table::hertz;
-use super::wide_plot::legend_name;
 use crate::tui::modes::ModesView;
+use crate::tui::spectra::legend_name;
 use crate::tui::theme::Theme;
 
 /// Columns of number and frequency.

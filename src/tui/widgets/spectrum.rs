@@ -20,12 +20,13 @@ use ratatui::text::Span;
 use super::canvas::{Canvas, Pen};
 use super::panel::{Title, put};
 use super::plot::{AXIS_ROWS, GUTTER, Range, curve_width, draw_curve};
+use crate::agreement::TOLERANCE_DB;
 use crate::number::grouped;
 use crate::number::ticks::multiples;
 use crate::tui::app::Picture;
 use crate::tui::axis::FrequencyAxis;
 use crate::tui::theme::Theme;
-use crate::tui::traces::{Columns, Envelope, TOLERANCE_DB};
+use crate::tui::traces::{Columns, Envelope};
 
 /// What the marks mean, with the saved state's curve if it is drawn.
 pub fn legend(theme: &Theme, ghost: bool) -> Vec<Span<'static>> {

@@ -188,6 +188,7 @@ fn label(value: f64) -> String {
         return "0".into();
     }
     match value.abs() {
+        1e6.. => format!("{}M", significant(value / 1e6, 2).trim_end_matches(".0")),
         10_000.0.. => format!("{}k", significant(value / 1e3, 2).trim_end_matches(".0")),
         10.0.. => grouped(value).replace(',', ""),
         0.01.. => {
@@ -253,5 +254,17 @@ fn draw_peaks(view: &SpectraView, range: Range, theme: &Theme, plot: Rect, buffe
         let y = plot.y + row.clamp(0, i64::from(plot.height) - 1) as u16;
         buffer.set_stringn(x, y, &label, label.len(), theme.title);
         free = x + label.len() as u16 + 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn labels_fit_their_columns() {
+        for (value, text) in [(1e6, "1M"), (2.5e7, "25M"), (2e4, "20k"), (0.5, "0.5"), (0.0, "0")] {
+            assert_eq!(label(value), text);
+        }
     }
 }
