@@ -11,7 +11,7 @@ mod mesh_stiffness;
 
 pub use hypoid::{CUTTER_RADII, HypoidBlank, HypoidPitch};
 pub use import::{AveragedMesh, COLUMNS, ImportError, read_csv};
-pub use mesh_stiffness::{StiffnessError, mean_mesh_stiffness};
+pub use mesh_stiffness::{FULL_LOAD, LightLoad, StiffnessError, mean_mesh_stiffness};
 
 use nalgebra::Vector3;
 
