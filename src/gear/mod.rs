@@ -103,6 +103,12 @@ impl Pair {
         Self { pinion, gear, shaft_angle, offset }
     }
 
+    /// Whether the axes pass one another; less is what rounding of a data sheet to hundredths of a millimetre leaves of axes that meet.
+    pub fn is_offset(&self) -> bool {
+        const HALF_A_DIGIT: f64 = 5e-6;
+        self.offset >= HALF_A_DIGIT
+    }
+
     /// Normal force, N, under a torque of the pinion (N m): |T| over the arm of the line of action.
     pub fn normal_force(&self, pinion_torque: f64) -> f64 {
         pinion_torque.abs() / self.pinion.torque_arm().abs()
