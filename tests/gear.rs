@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 use bevelscope::design::MeshVectors;
-use bevelscope::gear::{Cone, Pair, Pitch, Teeth, mean_mesh_stiffness};
+use bevelscope::gear::{Cone, LightLoad, Pair, Pitch, Teeth, mean_mesh_stiffness};
 use bevelscope::model::mesh_vector;
 use nalgebra::{Matrix3, Rotation3, Vector3, Vector6};
 use proptest::prelude::*;
@@ -168,9 +168,9 @@ proptest! {
         prop_assert!((stretch[0] - stretch[1]).abs() < 1e-13, "{stretch:?}");
     }
 
-    /// The arms are to each other as r cos(spiral angle) of both members, which is the ratio of teeth.
+    /// The arm is that of the line of action, whatever the azimuth, and both members see the same force in space.
     #[test]
-    fn torque_arms_follow_from_the_pitch_surfaces(pair in pairs(), azimuth in -3.0..3.0_f64) {
+    fn both_members_see_one_line_of_action(pair in pairs(), azimuth in -3.0..3.0_f64) {
         let (point, line) = pair.pinion.turned(azimuth);
         prop_assert!((point.cross(&line).y - pair.pinion.torque_arm()).abs() < 1e-15);
         prop_assert!((point - Vector3::new(pair.pinion.point.z * azimuth.sin(), point.y, pair.pinion.point.z * azimuth.cos())).amax() < 1e-15);
@@ -182,6 +182,7 @@ proptest! {
         prop_assert!((world(&pair.pinion) - world(&pair.gear)).amax() < 1e-13);
     }
 
+    /// The arms are to each other as r cos(spiral angle) of both members, which is the ratio of teeth.
     #[test]
     fn the_torque_arm_ratio_is_exact(pitch in [0.2..0.7_f64, 0.6..1.3], distance in 0.05..0.2_f64, spiral in [0.0..0.9_f64, 0.0..0.7]) {
         let cones = [0, 1].map(|i| Cone { pitch_angle: pitch[i], cone_distance: distance, spiral_angle: spiral[i] });
@@ -198,5 +199,19 @@ fn the_mean_mesh_stiffness_is_that_of_the_standard() {
     let stiffness = mean_mesh_stiffness(0.02159, 35_f64.to_radians()).unwrap();
     assert!((stiffness / 6.435e8 - 1.0).abs() < 1e-3, "{stiffness:e}");
     assert!(mean_mesh_stiffness(0.0, 0.5).is_err() && mean_mesh_stiffness(f64::NAN, 0.5).is_err());
+    // however wide and steep, an estimate that is not refused can be computed with
+    for (width, degrees) in [(1e302, 0.0), (1e305, 0.0), (f64::INFINITY, 0.0), (0.02, 89.999_999_9), (0.02, 80.1)] {
+        assert!(mean_mesh_stiffness(width, f64::to_radians(degrees)).is_err(), "{width} m, {degrees} deg");
+    }
+    assert!(mean_mesh_stiffness(10.0, f64::to_radians(80.0)).unwrap() < 1e13);
     assert!(mean_mesh_stiffness(0.02, 1.6).is_err() && mean_mesh_stiffness(0.02, -0.1).is_err());
+}
+
+/// ISO 10300-1, equations 11 to 13, and the fourth root of ISO 6336-1: at 6.25 N/mm a sixteenth, and a half.
+#[test]
+fn light_load_softens_the_mesh() {
+    for (load, bevel, cylindrical) in [(6.25e3, 0.0625, 0.5), (100e3, 1.0, 1.0), (300e3, 1.0, 1.0)] {
+        assert!((LightLoad::Bevel.factor(load) - bevel).abs() < 1e-15);
+        assert!((LightLoad::Cylindrical.factor(load) - cylindrical).abs() < 1e-15);
+    }
 }

@@ -278,6 +278,15 @@ fn what_nothing_holds_is_named() {
     assert!(error.to_string().starts_with("pinion shaft: UNSUPPORTED_LOAD: bearing \"bearing at 0."), "{error}");
 }
 
+/// A load that no bearing of that size carries, in the direction that they are made for.
+#[test]
+fn a_load_that_is_far_too_large_is_said_to_be() {
+    let error = Rotors::new(&tapers(1e9, 1e-5)).unwrap_err();
+    assert!(matches!(&error.0[0].1, RotorError::MovesTooFar { .. }), "{error}");
+    let text = error.to_string();
+    assert!(text.contains("UNSUPPORTED_LOAD: ") && text.contains("by more than a quarter of its radius"), "{text}");
+}
+
 #[test]
 fn bearings_by_preload_are_those_of_the_bearing_alone() {
     let mut design = ordinary();

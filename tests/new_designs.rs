@@ -6,6 +6,7 @@ use bevelscope::comparison::compare;
 use bevelscope::design::new::{Answer, BearingKind, Field, Proposal, TypicalBearing, Value, Wishes, shown};
 use bevelscope::design::{Design, PairKind, read};
 use bevelscope::gear::HypoidBlank;
+use bevelscope::model::Rotors;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
@@ -224,6 +225,32 @@ fn the_list_has_sizes_of_the_standards() {
     let tapered = named("tapered-35");
     assert_eq!((tapered.outside_diameter * 1e3, (tapered.width * 1e5).round()), (72.0, 1825.0));
     assert_eq!((tapered.elements(), tapered.roller_length().map(|length| (length * 1e3).round())), (17, Some(12.0)));
+    // ISO 15 and ISO 355 as the catalogues print them, mm: 62.. and 72.. are d x D x B, 302.. d x D x T with the first digit of the
+    // ISO 355 series (2: 10 deg to 13 deg 52', 3: to 15 deg 59')
+    let standard = [
+        ("6204", "30204", 20.0, 47.0, 14.0, 15.25, '2'),
+        ("6205", "30205", 25.0, 52.0, 15.0, 16.25, '3'),
+        ("6206", "30206", 30.0, 62.0, 16.0, 17.25, '3'),
+        ("6207", "30207", 35.0, 72.0, 17.0, 18.25, '3'),
+        ("6208", "30208", 40.0, 80.0, 18.0, 19.75, '3'),
+        ("6210", "30210", 50.0, 90.0, 20.0, 21.75, '3'),
+        ("6212", "30212", 60.0, 110.0, 22.0, 23.75, '3'),
+        ("6214", "30214", 70.0, 125.0, 24.0, 26.25, '3'),
+        ("6216", "30216", 80.0, 140.0, 26.0, 28.25, '3'),
+        ("6220", "30220", 100.0, 180.0, 34.0, 37.0, '3'),
+    ];
+    for kind in BearingKind::ALL {
+        assert_eq!(TypicalBearing::of_kind(kind).count(), standard.len());
+        for (bearing, (ball, tapered, d, outside, width, high, series)) in TypicalBearing::of_kind(kind).zip(standard) {
+            let is_tapered = kind == BearingKind::Tapered;
+            let name = if is_tapered { tapered } else { ball };
+            let listed = [bearing.bore, bearing.outside_diameter, bearing.width].map(|length| length * 1e3);
+            let expected = [d, outside, if is_tapered { high } else { width }];
+            assert!(listed.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-9), "{name}: {listed:?}");
+            let range = if series == '2' { 10.0..13.87 } else { 13.87..15.99 };
+            assert!(!is_tapered || range.contains(&bearing.contact_angle.to_degrees()), "{name}");
+        }
+    }
     for bearing in TypicalBearing::all() {
         assert_eq!(TypicalBearing::named(&bearing.name()), Some(bearing));
         // the elements fit between the rings and beside one another
@@ -248,4 +275,35 @@ fn answers_are_shown_with_their_unit() {
             assert_eq!(answers.contains_key(&field), field.belongs_to(proposal.pair.kind), "{kind} {field:?}");
         }
     }
+}
+
+/// With this cutter the pinion came out at 56.5 deg and its gear at 32.7.
+#[test]
+fn a_hypoid_gear_is_flatter_than_its_pinion() {
+    let asked = [(Field::Kind, "hypoid"), (Field::GearOuterDiameter, "400"), (Field::CutterRadius, "40")];
+    let refusal = Proposal::new(&wishes(&asked)).unwrap_err();
+    assert_eq!(refusal.field, Field::CutterRadius);
+    assert!(refusal.message.contains("a gear of at least 45 deg") && refusal.message.contains("would do"), "{refusal}");
+    let mut found = 0;
+    for cutter in 1..60 {
+        let cutter = format!("{}", 10 * cutter);
+        let asked =
+            [(Field::Kind, "hypoid"), (Field::GearOuterDiameter, "400"), (Field::CutterRadius, cutter.as_str())];
+        let Ok(proposal) = Proposal::new(&wishes(&asked)) else { continue };
+        let [pinion, gear] = [0, 1].map(|at| proposal.pair.cone(at).unwrap().0.to_degrees());
+        assert!(gear >= 45.0 && pinion < gear, "{cutter} mm: {pinion} and {gear} deg");
+        found += 1;
+    }
+    assert!(found > 5, "{found}");
+}
+
+/// A deep groove ball bearing has two shoulders, an angular contact ball bearing one.
+#[test]
+fn only_bearings_with_one_shoulder_are_warned_of() {
+    let warnings = |bearing: &str| {
+        let asked = [(Field::PinionB1, bearing), (Field::PinionB2, bearing)];
+        let rotors = Rotors::new(&design(&Proposal::new(&wishes(&asked)).unwrap())).unwrap();
+        rotors.pinion.mean_states.warnings().map(|(_, warning)| warning.to_string()).collect::<Vec<_>>().join("; ")
+    };
+    assert!(!warnings("deep-groove-50").contains("shoulder"), "{}", warnings("deep-groove-50"));
 }

@@ -201,7 +201,22 @@ fn a_pair_without_torque_is_shown_under_one_newton_metre() {
     design.mesh.pinion.line_of_action = [0.0, 1.0, 0.0];
     let figures = PairFigures::new(&design);
     assert!(figures.normal_force.is_none() && figures.pinion.force.is_none() && figures.arms.is_none());
+    assert_eq!(figures.thrust(), "no thrust: the line of action meets the pinion's axis");
+    assert!(!figures.pulls_into_mesh());
     assert!(scenes(&design, &figures).iter().all(is_sound));
+}
+
+/// The sign of a torque looks like a choice of the flank, which it is not.
+#[test]
+fn a_negative_torque_is_told_that_only_its_size_counts() {
+    let text = shipped("tapered-axle");
+    let line = text.lines().find(|line| line.starts_with("pinion_torque_n_m")).unwrap();
+    let reading = read(&text.replace(line, "pinion_torque_n_m = -300.0"));
+    let [finding] = &reading.findings[..] else { panic!("{:?}", reading.findings) };
+    assert_eq!(finding.key_path.to_string(), "operating.pinion_torque_n_m");
+    assert!(finding.message.contains("only its size counts") && reading.design.is_some(), "{}", finding.message);
+    assert!(finding.hint.as_deref().unwrap().contains("pinion_turns"));
+    assert_eq!(read(text).findings, []);
 }
 
 // ISO 10300-1, method B: sample 1 has 21.59 mm at 35 deg, 6.4e8 N/m.
@@ -267,4 +282,22 @@ fn mesh_vectors_that_follow_from_gear_data_are_shown_and_not_wanted() {
     let geometry = editor.grid(&Sheet::mesh_geometry());
     let hand = geometry.rows[0].cells.iter().find(|cell| cell.column.key == "hand").unwrap();
     assert!(!hand.findings.is_empty(), "what is missing is said beside its cell");
+}
+
+proptest! {
+    /// What a mesh point or a line of action has of an axis is zero, or worth saying.
+    #[test]
+    fn rounding_is_no_component(geometry in geometries(), quarter in 0..4_u8) {
+        let azimuth = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
+        let geometry = MeshGeometry { pinion_azimuth: azimuth, gear_azimuth: azimuth, ..geometry };
+        let design = with(geometry, None);
+        for vectors in [design.mesh.pinion, design.mesh.gear] {
+            for vector in [vectors.point, vectors.line_of_action].map(Vector3::from) {
+                let least = 1e-9 * vector.norm();
+                prop_assert!(vector.iter().all(|component| *component == 0.0 || component.abs() >= least), "{vector}");
+            }
+            // at a quarter turn one of both is nothing
+            prop_assert!(vectors.point[0] == 0.0 || vectors.point[2] == 0.0);
+        }
+    }
 }

@@ -41,7 +41,10 @@ pub struct State {
 pub enum Warning {
     #[error("all of the load is carried by {loaded} of {elements} rolling elements")]
     FewLoaded { loaded: usize, elements: usize },
-    #[error("{0} balls bear on the opposite shoulder, which a bearing with one shoulder does not have")]
+    #[error(
+        "{0} {bear} on the opposite shoulder, which a bearing with one shoulder does not have",
+        bear = if *.0 == 1 { "ball bears" } else { "balls bear" }
+    )]
     OppositeShoulder(usize),
     #[error(
         "balls approach by {deflection_mm:.4} mm, more than 2 % of their diameter: beyond the range of the formulas"
@@ -172,6 +175,9 @@ impl Bearing {
     fn warnings(&self, contacts: &[Contact]) -> Vec<Warning> {
         // two lines of contact hold the shaft in one direction only
         const FEW: usize = 2;
+        // angular contact bearings begin at 12 deg or more; what is less steep is a deep groove bearing, which has both shoulders and owes
+        // its angle to clearance
+        const ONE_SHOULDER_DEG: f64 = 12.0 - 1e-9;
         let mut warnings = Vec::new();
         let loaded = contacts.iter().filter(|contact| contact.load > 0.0).count();
         if (1..=FEW).contains(&loaded) {
@@ -180,7 +186,8 @@ impl Bearing {
         let Kind::Ball { groove_distance } = self.0.kind else { return warnings };
         let opposite = |contact: &&Contact| contact.load > 0.0 && contact.angle * self.0.contact_angle < 0.0;
         let opposite = contacts.iter().filter(opposite).count();
-        if opposite > 0 {
+        let has_one_shoulder = self.0.contact_angle.to_degrees().abs() >= ONE_SHOULDER_DEG;
+        if opposite > 0 && has_one_shoulder {
             warnings.push(Warning::OppositeShoulder(opposite));
         }
         // A0 = (f_i + f_o - 1) D, usually 0.04 D: half of A0 is 0.02 D

@@ -8,7 +8,7 @@ use crate::report::json;
 
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Effective face width, mm
+    /// Effective face width, mm: of bevel and hypoid gears about 0.85 of the face width
     #[arg(long)]
     face_width_mm: f64,
     /// Mean spiral or helix angle, deg; 0 for straight teeth

@@ -135,11 +135,18 @@ impl Design {
             if !geometry.kind.is_parallel() {
                 point.y += apex.unwrap_or(f64::NAN) - station;
             }
-            MeshVectors { point: point.into(), line_of_action: line_of_action.into() }
+            MeshVectors { point: without_rounding(point), line_of_action: without_rounding(line_of_action) }
         };
         Some([
             vectors(&pair.pinion, geometry.pinion_azimuth, geometry.pinion_apex, self.pinion.mesh_position),
             vectors(&pair.gear, geometry.gear_azimuth, geometry.gear_apex, self.gear.mesh_position),
         ])
     }
+}
+
+/// Components that are nothing but the rounding of the others are zero.
+fn without_rounding(vector: nalgebra::Vector3<f64>) -> [f64; 3] {
+    const ROUNDING: f64 = 1e-9;
+    let least = ROUNDING * vector.norm();
+    vector.map(|component| if component.abs() < least { 0.0 } else { component }).into()
 }

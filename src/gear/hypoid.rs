@@ -9,7 +9,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Cone;
 
-/// Usual mean cutter radii, m: half of 1 to 24 inches.
+/// Mean cutter radii that are proposed, m: half of round sizes from 1 to 40 inches, the ends for pairs smaller and larger than most. A choice, not
+/// the series of a standard.
 pub const CUTTER_RADII: [f64; 18] = [
     0.0127, 0.01905, 0.0254, 0.03175, 0.04445, 0.05715, 0.0635, 0.0762, 0.09525, 0.1143, 0.13335, 0.1524, 0.2032,
     0.2286, 0.2667, 0.3048, 0.4064, 0.508,
@@ -47,16 +48,19 @@ struct Solution {
 }
 
 impl HypoidBlank {
-    /// The pitch cones for a mean cutter radius (m), or for the usual cutter that comes nearest to the gear pitch angle with which
-    /// the method of ISO 23509 begins. Nothing where there is no such pair.
+    /// The pitch cones for a mean cutter radius (m), or for the one of [`CUTTER_RADII`] that comes nearest to the gear pitch angle
+    /// with which the method of ISO 23509 begins. Nothing where there is no such pair with a gear of 45 deg and more, which is flatter than
+    /// its pinion.
     pub fn pitch(&self, cutter_radius: Option<f64>) -> Option<HypoidPitch> {
-        const LOWEST: f64 = 0.35;
+        // a gear is flatter than its pinion; it is never a disc
+        const STEEPEST: f64 = std::f64::consts::FRAC_PI_4;
+        const FLATTEST: f64 = FRAC_PI_2 - 0.01;
         let first = self.solve((self.ratio / 1.2).atan());
         let apart = |radius: f64| (1.0 / radius - first.limit_curvature).abs();
         let usual = || CUTTER_RADII.into_iter().min_by(|a, b| apart(*a).total_cmp(&apart(*b)));
         let cutter_radius = cutter_radius.or_else(usual)?;
-        // the curvature falls as the gear gets flatter
-        let (mut low, mut high) = (LOWEST, FRAC_PI_2 - 0.01);
+        // the curvature falls as the gear gets flatter: its greatest value is at 21 to 38 deg
+        let (mut low, mut high) = (STEEPEST, FLATTEST);
         let excess = |pitch_angle: f64| self.solve(pitch_angle).limit_curvature - 1.0 / cutter_radius;
         if !(excess(low) > 0.0 && excess(high) < 0.0) {
             return None;

@@ -11,7 +11,7 @@ mod mesh_stiffness;
 
 pub use hypoid::{CUTTER_RADII, HypoidBlank, HypoidPitch};
 pub use import::{AveragedMesh, COLUMNS, ImportError, read_csv};
-pub use mesh_stiffness::{StiffnessError, mean_mesh_stiffness};
+pub use mesh_stiffness::{FULL_LOAD, LightLoad, StiffnessError, mean_mesh_stiffness};
 
 use nalgebra::Vector3;
 
@@ -101,6 +101,12 @@ impl Pair {
             (between - pinion.axis * between.dot(&pinion.axis)).norm()
         };
         Self { pinion, gear, shaft_angle, offset }
+    }
+
+    /// Whether the axes pass one another; less is what rounding of a data sheet to hundredths of a millimetre leaves of axes that meet.
+    pub fn is_offset(&self) -> bool {
+        const HALF_A_DIGIT: f64 = 5e-6;
+        self.offset >= HALF_A_DIGIT
     }
 
     /// Normal force, N, under a torque of the pinion (N m): |T| over the arm of the line of action.

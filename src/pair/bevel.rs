@@ -31,10 +31,10 @@ pub(super) fn pair(pair: &Pair, figures: &PairFigures) -> Scene {
     shapes.extend(members.map(|(_, member)| Shape::Apex(view.of(member.origin))));
     shapes.push(Shape::MeshPoint(view.of(mesh_point(&pair.pinion))));
     let kind = figures.kind.map_or("", |kind| kind.word());
-    let offset = if pair.offset * 1e3 < 5e-3 {
-        "section through both axes".to_owned()
-    } else {
+    let offset = if pair.is_offset() {
         format!("along the offset, {} mm", significant(pair.offset * 1e3, 4))
+    } else {
+        "section through both axes".to_owned()
     };
     Scene {
         titles: vec![format!("{kind}: pitch cones, {offset}"), format!("{kind}: pitch cones"), kind.into()],

@@ -5,8 +5,8 @@ use crate::gear::{StiffnessError, mean_mesh_stiffness};
 use crate::number::significant;
 
 /// Where the estimate comes from, for whoever reads it.
-pub const METHOD: &str =
-    "estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, along the tooth normal";
+pub const METHOD: &str = "estimate: ISO 10300-1, method B (bevel: effective width about 0.85 of the face), ISO 6336-1 (spur, helical): \
+     20 N/(mm um) over the effective face width, along the tooth normal, for at least 100 N/mm of tooth load";
 
 /// A mean mesh stiffness that follows from the face width.
 #[derive(Debug, Clone, PartialEq)]

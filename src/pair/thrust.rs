@@ -9,6 +9,9 @@ const NOTHING: f64 = 1e-9;
 impl PairFigures {
     /// Which way the teeth push the pinion along its shaft, then the gear: a sentence.
     pub fn thrust(&self) -> String {
+        if self.normal_force.is_none() {
+            return "no thrust: the line of action meets the pinion's axis".into();
+        }
         // the force on the pinion is against the line of action
         let [pinion, gear] = [-self.pinion.vectors.line_of_action[1], self.gear.vectors.line_of_action[1]];
         let is = |thrust: f64, ways: [&'static str; 3]| match thrust {
@@ -32,6 +35,6 @@ impl PairFigures {
 
     /// Whether that is the unusual way, which closes the backlash where a bearing gives way.
     pub fn pulls_into_mesh(&self) -> bool {
-        self.has_cones() && self.pinion.vectors.line_of_action[1] > NOTHING
+        self.normal_force.is_some() && self.has_cones() && self.pinion.vectors.line_of_action[1] > NOTHING
     }
 }

@@ -41,7 +41,18 @@ pub fn solve(
         Failure::RanAway(q) => {
             let far = |s: &&Spring| shaft.travel(s, &q);
             let furthest = shaft.springs.iter().max_by(|a, b| far(a).total_cmp(&far(b)));
-            RotorError::GivesWay { name: furthest.map(name).unwrap_or_default(), load: (*load).into() }
+            // a load that is too large moves a ring the way in which its bearing resists, or any way without contact angles
+            let resists = |spring: &Spring| {
+                let ring = shaft.ring(spring, &q);
+                ring[2] * spring.bearing.contact_angle() > 0.0 && spring.bearing.state(&ring).loaded() > 0
+            };
+            let is_radial = shaft.springs.iter().all(|spring| spring.bearing.contact_angle() == 0.0);
+            let (name, load) = (furthest.map(name).unwrap_or_default(), (*load).into());
+            if is_radial || shaft.springs.iter().any(resists) {
+                RotorError::MovesTooFar { name, load }
+            } else {
+                RotorError::GivesWay { name, load }
+            }
         }
     })?;
     let solved = |spring: &Spring| {

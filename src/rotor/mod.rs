@@ -80,6 +80,12 @@ pub enum RotorError {
          points the unloaded way, or a bearing against it is missing", name.escape_debug(), load[0], load[1], load[2]
     )]
     GivesWay { name: String, load: [f64; 6] },
+    #[error(
+        "UNSUPPORTED_LOAD: bearing \"{}\" under the mean mesh load of {:.4e}, {:.4e} and {:.4e} N in x, y and z: the inner ring would move \
+         by more than a quarter of its radius: the load is far too large for it",
+        name.escape_debug(), load[0], load[1], load[2]
+    )]
+    MovesTooFar { name: String, load: [f64; 6] },
     #[error("NO_CONVERGENCE: no mean state was found; the mesh load is balanced to {residual:.1e} of its size only")]
     NoConvergence { residual: f64 },
     #[error("the {0} is too large or too small to compute with")]

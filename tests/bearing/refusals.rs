@@ -107,6 +107,10 @@ fn what_is_unusual_is_said() {
     assert!((1..3).contains(&few.loaded()), "{}", few.loaded());
     let backwards = equilibrium(&ball, &-thrust, &TILTS_HELD).unwrap();
     assert_eq!(backwards.warnings, [Warning::OppositeShoulder(12)]);
+    assert!(Warning::OppositeShoulder(1).to_string().starts_with("1 ball bears on"));
+    // a deep groove bearing has both shoulders, and its angle from clearance
+    let deep_groove = Bearing::new(Data { contact_angle: f64::to_radians(10.0), ..ball.data() }).unwrap();
+    assert_eq!(equilibrium(&deep_groove, &-thrust, &TILTS_HELD).unwrap().warnings, []);
     let deep = equilibrium(&ball, &(thrust * 1e3), &TILTS_HELD).unwrap();
     assert!(matches!(deep.warnings[..], [Warning::Deep { .. }]), "{:?}", deep.warnings);
     let range = radial.angle_range().unwrap();

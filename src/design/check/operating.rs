@@ -1,10 +1,16 @@
-//! What a mean load from torque needs.
+//! The torque, and what a mean load from it needs.
 
 use super::Checker;
 use crate::design::key_path::KeyPath;
 use crate::design::{Bearing, BearingModel, Design, MeanState, Side};
 
 pub(super) fn check(design: &Design, top: &KeyPath, checker: &Checker<'_>) {
+    if design.operating.and_then(|operating| operating.pinion_torque).is_some_and(|torque| torque < 0.0) {
+        let hint =
+            "pinion_turns in [mesh.geometry] chooses the loaded flank; without gear data the line of action does";
+        let path = top.key("operating").key("pinion_torque_n_m");
+        checker.warn(&path, "only its size counts: the sign changes nothing", Some(hint));
+    }
     let is_from_torque = |bearing: &&Bearing| matches!(mean_state(bearing), Some(MeanState::FromTorque(_)));
     for side in Side::BOTH {
         for (place, _) in design.rotor(side).bearings.iter().enumerate().filter(|(_, b)| is_from_torque(b)) {

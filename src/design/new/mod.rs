@@ -1,12 +1,14 @@
 //! New designs: from a few wishes to a whole commented file that solves at once.
 //!
 //! ```text
-//! Wishes ─> Pair (sizes, teeth) ─> two Shafts (segments, bodies, bearings) ─> Proposal ─> text of a design file
+//! Wishes ─> Pair (sizes, teeth) ─> two Shafts (segments, bodies, bearings) that clear one another ─> Proposal ─> text of a design file
 //! ```
 //!
 //! Every wish that is not made follows from the others by a rule that is written beside its number. Nothing here reads or writes a file.
 
 mod bearings;
+mod choice;
+mod clearance;
 mod field;
 mod pair;
 mod shaft;
@@ -16,7 +18,7 @@ mod wishes;
 pub use bearings::{BearingKind, GROOVE_FACTOR, TypicalBearing};
 pub use field::{Answer, Field};
 pub use pair::Pair;
-pub use shaft::{Mounting, Shaft};
+pub use shaft::{Mounting, Piece, Placed, Shaft};
 pub use wishes::{Refusal, Value, Wishes, shown};
 
 use std::collections::BTreeMap;
@@ -41,9 +43,26 @@ impl Proposal {
     /// [`Refusal`] names the wish that cannot be, and its limit.
     pub fn new(wishes: &Wishes) -> Result<Self, Refusal> {
         let pair = Pair::new(wishes)?;
-        let shaft = |side| Shaft::new(wishes, &pair, side);
-        let shafts = [shaft(Side::Pinion)?, shaft(Side::Gear)?];
-        Ok(Self { wishes: wishes.clone(), pair, shafts })
+        let [pinions, gears] = [Shaft::all(wishes, &pair, Side::Pinion)?, Shaft::all(wishes, &pair, Side::Gear)?];
+        let mut last = None;
+        for pinion in &pinions {
+            for gear in &gears {
+                let Some(collision) = clearance::collision(&pair, pinion, gear) else {
+                    let shafts = [pinion.clone(), gear.clone()];
+                    return Ok(Self { wishes: wishes.clone(), pair, shafts });
+                };
+                // of the smallest bearings
+                last = Some(collision);
+            }
+        }
+        let [of_pinion, of_gear] = last.unwrap_or(["shaft"; 2]);
+        let straddle = |shafts: &[Shaft]| shafts.iter().any(|shaft| shaft.mounting == Mounting::Straddle);
+        let (field, instead) = match [straddle(&pinions), straddle(&gears)] {
+            [true, _] => (Field::PinionMounting, "overhung, or a larger pair"),
+            [false, true] => (Field::GearMounting, "overhung, or a larger pair"),
+            [false, false] => (pair.size_field(), "a larger pair, or smaller bearings"),
+        };
+        Err(Refusal::new(field, format!("the pinion's {of_pinion} would run into the gear's {of_gear}: {instead}")))
     }
 
     /// Sizes that follow, each with its unit: what it is, and how large for pinion and gear.

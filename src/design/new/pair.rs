@@ -3,7 +3,7 @@
 use super::field::Field;
 use super::wishes::{Refusal, Wishes};
 use crate::design::{Hand, PairKind};
-use crate::gear::{Cone, HypoidBlank, Pitch, mean_mesh_stiffness};
+use crate::gear::{self, Cone, HypoidBlank, LightLoad, Pitch, Teeth, mean_mesh_stiffness};
 
 /// A pair whose cones or cylinders are known; SI units and rad, pinion first.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +27,8 @@ pub struct Pair {
     pub pitch: Pitch,
     /// Mean pitch diameters
     pub mean_diameters: [f64; 2],
+    /// Tangential force at the mean diameters over the effective face width, N/m
+    pub specific_load: f64,
     /// N/m along the tooth normal
     pub mesh_stiffness: f64,
 }
@@ -37,6 +39,17 @@ pub(super) const SHAFT_STRESS: f64 = 30e6;
 /// Diameter of a solid shaft under a torque (N m) at that stress, m.
 pub(super) fn shaft_diameter(torque: f64, stress: f64) -> f64 {
     (16.0 * torque / (std::f64::consts::PI * stress)).cbrt()
+}
+
+/// Nominal torsional stress of a solid shaft, Pa: 16 T/(pi d^3).
+pub(super) fn torsional_stress(torque: f64, diameter: f64) -> f64 {
+    16.0 * torque / (std::f64::consts::PI * diameter.powi(3))
+}
+
+/// Share of a wheel's mean diameter that its shaft may have: the mean root circle, 1.25 modules below the pitch circle (ISO 53), and
+/// never more than 0.8.
+fn share_for_shaft(teeth: u32, spiral_angle: f64) -> f64 {
+    (1.0 - 2.5 * spiral_angle.cos() / f64::from(teeth)).min(0.8)
 }
 
 /// Sizes of the gear where none are asked for: outer diameter over the cube root of its torque, m/(N m)^(1/3), as of sample 1 of ISO 23509.
@@ -65,6 +78,32 @@ impl Pair {
     /// Torque of a shaft, N m: the pinion's, or the gear's.
     pub fn torque(&self, shaft: usize) -> f64 {
         if shaft == 0 { self.pinion_torque } else { self.pinion_torque * self.ratio() }
+    }
+
+    /// Greatest diameter of the shaft under the teeth, m.
+    pub fn room_for_shaft(&self, shaft: usize) -> f64 {
+        self.mean_diameters[shaft] * share_for_shaft(self.teeth[shaft], self.spiral_angles[shaft])
+    }
+
+    /// What makes a pair larger.
+    pub(super) fn size_field(&self) -> Field {
+        if self.kind.is_parallel() { Field::NormalModule } else { Field::GearOuterDiameter }
+    }
+
+    /// Which way the driving pinion turns, its thrust being away from the apex: positively or not.
+    pub(super) fn turns_positively(&self) -> bool {
+        !(self.kind.has_hand() && self.hand == Hand::Left)
+    }
+
+    /// How the axes lie.
+    pub(super) fn geometry(&self) -> gear::Pair {
+        let sign = |is_positive: bool| if is_positive { 1.0 } else { -1.0 };
+        let teeth = Teeth {
+            pressure_angle: self.pressure_angle,
+            hand: sign(self.hand == Hand::Right),
+            turns: sign(self.turns_positively()),
+        };
+        gear::Pair::new(&teeth, &self.pitch)
     }
 
     /// Pitch angle, rad, and distance of the mean point from the pitch apex along the axis, m; nothing for cylinders.
@@ -141,7 +180,7 @@ impl Basics<'_> {
 
     /// Smallest mean diameter of the pinion for which a shaft is found.
     fn smallest_pinion(&self) -> f64 {
-        (1.1 * shaft_diameter(self.torque(), SHAFT_STRESS)).max(0.026)
+        (shaft_diameter(self.torque(), SHAFT_STRESS) / share_for_shaft(self.teeth[0], 0.0)).max(0.026)
     }
 
     fn angle(&self, field: Field, usual: f64, [low, high]: [f64; 2], of: &str) -> Result<f64, Refusal> {
@@ -215,7 +254,9 @@ impl Basics<'_> {
             let (field, message) = match given.and(blank.pitch(None)) {
                 Some(usual) => {
                     let usual = millimetres(usual.cutter_radius);
-                    (Field::CutterRadius, format!("no pitch cones fit this cutter; {usual} would do"))
+                    let message =
+                        format!("no pitch cones with a gear of at least 45 deg fit this cutter; {usual} would do");
+                    (Field::CutterRadius, message)
                 }
                 None => (Field::Offset, "no pitch cones fit: a smaller offset or a larger spiral angle".into()),
             };
@@ -263,7 +304,10 @@ impl Basics<'_> {
             Pitch::Parallel { radii, helix_angle } => ([*helix_angle; 2], radii.map(|radius| 2.0 * radius)),
         };
         let mean_angle = f64::midpoint(spiral_angles[0], spiral_angles[1]);
-        let mesh_stiffness = mean_mesh_stiffness(effective_face_width(self.kind, face_width), mean_angle)
+        let effective_width = effective_face_width(self.kind, face_width);
+        let specific_load = 2.0 * self.torque() / mean_diameters[0] / effective_width;
+        let light_load = if self.kind.is_parallel() { LightLoad::Cylindrical } else { LightLoad::Bevel };
+        let full_stiffness = mean_mesh_stiffness(effective_width, mean_angle)
             .map_err(|error| Refusal::new(Field::FaceWidth, error.to_string()))?;
         Ok(Pair {
             kind: self.kind,
@@ -279,7 +323,8 @@ impl Basics<'_> {
             hand: if self.wishes.word(Field::Hand) == Some(Hand::Left.word()) { Hand::Left } else { Hand::Right },
             pitch,
             mean_diameters,
-            mesh_stiffness,
+            specific_load,
+            mesh_stiffness: full_stiffness * light_load.factor(specific_load),
         })
     }
 }

@@ -5,8 +5,8 @@ use super::bearings::{BearingKind, GROOVE_FACTOR, TypicalBearing};
 use super::field::Field;
 use super::pair::{SHAFT_STRESS, effective_face_width};
 use super::shaft::{Mounting, Placed, Shaft};
-use crate::design::{Hand, PairKind, Side};
-use crate::gear::{Cone, Pitch};
+use crate::design::{PairKind, Side};
+use crate::gear::{Cone, FULL_LOAD, Pitch};
 
 /// Sizes that other numbers must agree with to the last digit, and all others.
 const EXACT: usize = 13;
@@ -68,9 +68,20 @@ impl Proposal {
         out.table("[mesh]");
         let effective = effective_face_width(pair.kind, pair.face_width) * 1e3;
         let mean_angle = f64::midpoint(pair.spiral_angles[0], pair.spiral_angles[1]).to_degrees();
-        let share = if pair.kind.is_parallel() { "the face width" } else { "0.85 of the face width" };
+        let (source, share) = if pair.kind.is_parallel() {
+            ("ISO 6336-1", "the face width")
+        } else {
+            ("ISO 10300-1, method B", "0.85 of the face width")
+        };
+        let load = written(pair.specific_load / 1e3, 3);
+        let under = if pair.specific_load < FULL_LOAD {
+            let rule = if pair.kind.is_parallel() { "the fourth root of load" } else { "load" };
+            format!("under {load} N/mm, below 100 N/mm in proportion to {rule}")
+        } else {
+            format!("under {load} N/mm (at least 100 N/mm)")
+        };
         out.comment(&format!(
-            "estimate: ISO 10300-1, method B, 20 N/(mm um) over {share}, {}, along the tooth normal at {} deg",
+            "estimate: {source}, 20 N/(mm um) over {share}, {}, along the tooth normal at {} deg; {under}",
             mm(effective),
             written(mean_angle, PLAIN)
         ));
@@ -91,7 +102,7 @@ impl Proposal {
         if pair.kind.has_hand() {
             out.key("hand", &quoted(pair.hand.word()), &self.why(Field::Hand, "of the pinion: designer's choice"));
         }
-        let turns = if pair.kind.has_hand() && pair.hand == Hand::Left { "negative" } else { "positive" };
+        let turns = if pair.turns_positively() { "positive" } else { "negative" };
         let why = if pair.kind.is_parallel() { "" } else { "thrust away from the apex" };
         out.key("pinion_turns", &quoted(turns), why);
         match &pair.pitch {
@@ -130,7 +141,7 @@ impl Proposal {
         if let Some((offset, cutter)) = pair.hypoid {
             let offset =
                 format!("Offset {}, {}", mm(offset * 1e3), self.why(Field::Offset, "a tenth of the outer diameter"));
-            let usual = "the usual one with which the gear is nearest to the start value of ISO 23509, tan = u/1.2";
+            let usual = "the round size with which the gear is nearest to the start value of ISO 23509, tan = u/1.2";
             out.comment(&format!(
                 "{offset}; mean cutter radius {}, {}. Both pitch cones touch at the mean point, at a right angle of the axes; of all \
                  such pairs this one has the limit curvature of the cutter (ISO 23509:2016, method 1).",
@@ -181,10 +192,12 @@ impl Proposal {
         };
         out.comment(&format!("---- {}, {rule}", if at == 0 { "Pinion" } else { "Gear" }));
         out.comment(&format!(
-            "Diameters are the bores of the bearings, by default the smallest that carry {} N m at {} MPa in torsion; lengths follow from \
-             teeth and bearings: designer's choice.",
+            "Diameters are the bores of the bearings, by default the smallest that carry {} N m at {} MPa in torsion; the teeth leave the \
+             room of their root circle. Greatest torsional stress of a solid piece, 16 T/(pi d^3): {} MPa. Lengths follow from teeth and \
+             bearings: designer's choice.",
             written(torque, PLAIN).trim_end_matches(".0"),
-            SHAFT_STRESS / 1e6
+            SHAFT_STRESS / 1e6,
+            written(shaft.stress / 1e6, 3)
         ));
         out.line(&format!("[{name}]"));
         let count = if at == 0 { Field::PinionTeeth } else { Field::GearTeeth };
@@ -212,7 +225,7 @@ impl Proposal {
     fn wheel(&self, shaft: &Shaft, name: &str, at: usize, out: &mut Lines) {
         out.blank();
         out.comment(&format!(
-            "Solid steel disc of the mean pitch diameter, {}, and the face width, {} (ISO 10300-1, method B), less the shaft in it.",
+            "Solid steel disc of the mean pitch diameter, {}, and the face width, {}, less the pieces of the shaft in it.",
             mm(self.pair.mean_diameters[at] * 1e3),
             mm(self.pair.face_width * 1e3)
         ));
@@ -258,7 +271,9 @@ fn inner_sizes(bearing: &TypicalBearing, is_front: bool, out: &mut Lines) {
     let is_tapered = bearing.kind == BearingKind::Tapered;
     out.key("model", if is_tapered { "\"roller\"" } else { "\"ball\"" }, "");
     out.key("elements", &bearing.elements().to_string(), "");
-    let (angle, takes) = if is_front {
+    let (angle, takes) = if bearing.kind == BearingKind::DeepGroove {
+        (if is_front { bearing.contact_angle } else { -bearing.contact_angle }, "takes thrust both ways")
+    } else if is_front {
         (bearing.contact_angle, "takes thrust towards +y")
     } else {
         (-bearing.contact_angle, "set against the other one, back to back")

@@ -56,7 +56,7 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
     });
     if let Some(pair) = &figures.pair {
         let [angle, offset] = [pair.shaft_angle.to_degrees(), pair.offset * 1e3];
-        let offset = if offset < 5e-4 { "0".into() } else { significant(offset, 5) };
+        let offset = if pair.is_offset() { significant(offset, 5) } else { "0".into() };
         lines.push(Line::Single(format!("shaft angle {} deg", significant(angle, 5))));
         let name = if figures.has_cones() { "offset" } else { "centre distance" };
         lines.push(Line::Single(format!("{name} {offset} mm")));
