@@ -13,5 +13,5 @@ mod thrust;
 
 pub use estimate::{Estimate, METHOD, spiral_angle};
 pub use figures::{Arms, PairFigures, ShaftFigures};
-pub use import::{Flank, edit_of, read_flanks};
+pub use import::{Flank, edit_of, notes, read_flanks};
 pub use scene::{Role, Scene, Shape, scenes};
