@@ -22,7 +22,7 @@ pub struct Args {
     #[command(flatten)]
     file: FileArg,
     /// Difference in dB beyond which lines disagree
-    #[arg(long, value_name = "DB", default_value = "3", value_parser = super::check::parse_limit)]
+    #[arg(long, value_name = "DB", default_value = "3", value_parser = super::check::parse_limit, allow_negative_numbers = true)]
     tolerance: f64,
     /// The model held against finite elements: enhanced, basic or reduced:K
     #[arg(long, default_value = "enhanced", value_parser = parse_model)]

@@ -101,7 +101,8 @@ pub fn notes(mesh: &AveragedMesh, editor: &Editor) -> Vec<String> {
         }
     }
     let off = |lines: &[[f64; 3]; 2]| [0, 1].map(|side| angle(lines[side], mesh.sides[side].1));
-    let nearest = flanks.iter().map(off).min_by(|a, b| a[0].max(a[1]).total_cmp(&b[0].max(b[1])));
+    // the flank that one of the sides fits: of a vector that is reversed on one side only, the other side says which it is
+    let nearest = flanks.iter().map(off).min_by(|a, b| a[0].min(a[1]).total_cmp(&b[0].min(b[1])));
     for (side, angle) in
         Side::BOTH.into_iter().zip(nearest.into_iter().flatten()).filter(|(_, angle)| *angle > ODD_ANGLE)
     {
