@@ -81,7 +81,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     for note in notes(mesh, &editor) {
         let _ = writeln!(err, "{}: {}", printable(&name), printable(&note));
     }
-    let edit = edit_of(mesh, &editor, &table);
+    let edit = edit_of(mesh, &editor, &printable(&table));
     editor.apply(&edit).map_err(|error| usage(&error))?;
     let reading = editor.reading();
     let name = args.output.display().to_string();

@@ -45,7 +45,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let entries: Vec<Entry<'_>> = solved.iter().map(|(loaded, study)| Entry { loaded, study }).collect();
     let text = page(&entries, &date);
     let output = args.output.clone().unwrap_or_else(|| default_output(&args.files));
-    wanted_html(&output)?;
+    let page_file = output.clone();
     let to_stdout = output == Path::new("-");
     let mut targets: Vec<(PathBuf, String)> = Vec::new();
     if let Some(folder) = &args.svg {
@@ -57,6 +57,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
         targets.push((output, text.clone()));
     }
     check(&targets, args)?;
+    wanted_html(&page_file)?;
     if let Some(folder) = &args.svg {
         fs::create_dir_all(folder).map_err(|error| usage(&format!("{}: cannot be made: {error}", folder.display())))?;
     }

@@ -2,7 +2,6 @@
 
 use crate::design::{Edit, EditName, Editor, KeyPath, Side, Spelled};
 use crate::gear::{AveragedMesh, read_csv};
-use crate::text::printable;
 
 /// A flank of a table of mesh numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,10 +47,10 @@ pub fn read_flanks(text: &str) -> Result<Vec<AveragedMesh>, String> {
 }
 
 /// Mesh point, line of action, stiffness and transmission error of one flank, for the text as it is in `editor`: vectors take the place of gear data, if it
-/// has any. Beside each number stands that it is imported and from which file, in place of comments on what was there.
+/// has any. `file` is harmless to show. Beside each number stands that it is imported and from which file, in place of comments on what was there.
 pub fn edit_of(mesh: &AveragedMesh, editor: &Editor, file: &str) -> Edit {
     let top = KeyPath::root().key("mesh");
-    let source = format!("imported: {}, {} flank", printable(file), mesh.flank);
+    let source = format!("imported: {file}, {} flank", mesh.flank);
     let comment = |path: KeyPath| Edit::Comment { path, text: source.clone() };
     let set = |path: KeyPath, text: String| {
         let value = Spelled::parse(&text);

@@ -143,7 +143,7 @@ impl App {
 
 /// The last part of a path, which a design's comment names.
 fn file_name(path: &str) -> String {
-    Path::new(path.trim()).file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    Path::new(path.trim()).file_name().map_or_else(String::new, |name| printable(&name.to_string_lossy()).into_owned())
 }
 
 fn preview(text: &str, mesh: &AveragedMesh, file: &str) -> Result<Preview, String> {
