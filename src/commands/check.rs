@@ -105,7 +105,7 @@ enum Row {
         #[serde(skip_serializing_if = "Option::is_none")]
         fe_highest_peak: Option<Box<Force>>,
         /// Greatest force of the finite element spectrum in the band, which may be at its end, below no peak
-        fe_greatest: Option<Force>,
+        fe_greatest: Option<Box<Force>>,
         /// Whether that is the last line of the band: a resonance may lie beyond it
         #[serde(skip)]
         rises_to_end: bool,
@@ -192,7 +192,7 @@ fn checked(file: &Path, args: &Args) -> Row {
     let fe_greatest = hz
         .iter()
         .zip(force)
-        .map(|(hz, force)| Force { frequency_hz: *hz, force_n: force.norm() })
+        .map(|(hz, force)| Box::new(Force { frequency_hz: *hz, force_n: force.norm() }))
         .max_by(|a, b| a.force_n.total_cmp(&b.force_n));
     let rises_to_end = fe_greatest.as_ref().is_some_and(|greatest| Some(&greatest.frequency_hz) == hz.last());
     let peak = highest_peak(hz, force);

@@ -155,7 +155,9 @@ fn flank(line: usize, fields: &[&str], order: &[usize]) -> Result<AveragedMesh, 
             return Err(error(line, &format!("{name} must be a unit vector, to 1 %; its length is {length:.6}")));
         }
         if off > EXACT {
-            vector.iter_mut().for_each(|x| *x = (*x / length * 1e6).round() / 1e6);
+            for x in vector {
+                *x = (*x / length * 1e6).round() / 1e6;
+            }
             notes.push(format!("line {line}: {name} had the length {length:.6}; it is scaled to 1"));
         }
     }
