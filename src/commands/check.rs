@@ -109,7 +109,7 @@ enum Row {
         /// Whether that is the last line of the band: a resonance may lie beyond it
         #[serde(skip)]
         rises_to_end: bool,
-        enhanced: Figures,
+        enhanced: Box<Figures>,
         basic: Figures,
         /// Fixed-interface modes a rotor with which a reduced model keeps all sixth-octave levels within 1 dB
         reduced_modes_for_1_db: Option<usize>,
@@ -205,7 +205,7 @@ fn checked(file: &Path, args: &Args) -> Row {
         fe_highest_peak,
         fe_greatest,
         rises_to_end,
-        enhanced: (&compared.enhanced_agreement).into(),
+        enhanced: Box::new((&compared.enhanced_agreement).into()),
         basic: (&compared.basic_agreement).into(),
         reduced_modes_for_1_db: reduced_modes,
         warnings,
