@@ -19,7 +19,8 @@ fn the_file_is_made_checked_and_never_overwritten() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("first.toml").display().to_string();
     let made = bevelscope(&["new", &path, "--kind", "hypoid", "--offset-mm", "20", "--name", "Mine \"first\""]);
-    assert!(made.status.success() && made.stdout.is_empty(), "{}", text(&made.stderr));
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    assert_eq!(text(&made.stdout), format!("{path}\n"));
     let written = std::fs::read_to_string(&path).unwrap();
     let checked = bevelscope(&["check", &path]);
     assert_eq!((checked.status.code(), text(&checked.stderr).as_str()), (Some(0), ""));

@@ -248,7 +248,7 @@ fn an_import_is_one_edit_that_can_be_taken_back() {
     assert_eq!(Flank::Drive.of(&flanks).unwrap_err(), "there is no line for the flank drive");
     for stem in ["tapered-axle", "overhung-elastic"] {
         let mut editor = Editor::new(shipped(stem)).unwrap();
-        let edit = edit_of(Flank::Coast.of(&flanks).unwrap(), &editor);
+        let edit = edit_of(Flank::Coast.of(&flanks).unwrap(), &editor, "m1.csv");
         let applied = editor.apply(&edit).unwrap();
         assert_eq!(applied.name.as_str(), "averaged mesh numbers of the coast flank");
         let mesh = &editor.reading().design.as_ref().unwrap().mesh;

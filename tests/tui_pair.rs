@@ -128,7 +128,13 @@ fn an_estimate_is_taken_only_when_it_is_asked_for() {
         shown.contains("done: stiffness of the mesh (estimate, ISO 10300-1)") && shown.contains("unsaved edits"),
         "{shown}"
     );
-    assert_eq!(text(&screen), before.replace("stiffness_n_per_m = 6.4e8", "stiffness_n_per_m = 6.435e8"));
+    // the comment above the old number gives way to one that says where the new one comes from
+    let comment = "# estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, ";
+    let old = format!("{comment}21.59 mm, along the tooth normal\nstiffness_n_per_m = 6.4e8\n");
+    let sum = "20 N/(mm um) x 21.590 mm / cos^2(35.000 deg)";
+    let new = format!("stiffness_n_per_m = 6.435e8  {comment}along the tooth normal: {sum}\n");
+    assert!(before.contains(&old));
+    assert_eq!(text(&screen), before.replace(&old, &new));
     // it is solved like any edit
     assert!(screen.effects.iter().any(|effect| matches!(effect, Effect::SolveEdited(_))));
     assert!(screen.keys("u").text().contains("undo: stiffness of the mesh (estimate"), "{}", screen.text());

@@ -220,7 +220,7 @@ impl PlaneFigures {
         }
         if self.energy_residual >= LEAST_RESIDUAL {
             return Some(format!(
-                "Mass and inertia of {place} miss {:.1} % of the kinetic energy of its first bending mode (56).",
+                "Mass and inertia of {place} miss {:.1} % of the kinetic energy of its first bending mode.",
                 100.0 * self.energy_residual
             ));
         }

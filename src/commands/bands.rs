@@ -24,7 +24,7 @@ pub struct Args {
     #[command(flatten)]
     file: FileArg,
     /// Difference in dB beyond which lines disagree
-    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit)]
+    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit, allow_negative_numbers = true)]
     tolerance: f64,
     /// The model held against finite elements: enhanced, basic or reduced:K
     #[arg(long, default_value = "enhanced", value_parser = parse_model)]

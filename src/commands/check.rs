@@ -28,10 +28,10 @@ pub struct Args {
     #[arg(long, value_name = "LO:HI", value_parser = parse_band)]
     band: Option<Band>,
     /// Largest RMS difference of the enhanced model, dB: beyond it the exit status is 1
-    #[arg(long, value_name = "DB", value_parser = parse_limit)]
+    #[arg(long, value_name = "DB", value_parser = parse_limit, allow_negative_numbers = true)]
     max_rms_db: Option<f64>,
     /// Lowest agreement limit of the enhanced model, Hz: below it the exit status is 1
-    #[arg(long, value_name = "HZ", value_parser = parse_limit)]
+    #[arg(long, value_name = "HZ", value_parser = parse_limit, allow_negative_numbers = true)]
     min_limit_hz: Option<f64>,
     /// Form of the output
     #[arg(long, default_value = "table")]
@@ -53,7 +53,7 @@ fn parse_band(text: &str) -> Result<Band, String> {
 
 pub(super) fn parse_limit(text: &str) -> Result<f64, String> {
     let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
-    value.ok_or_else(|| "wanted a number, not negative".into())
+    value.ok_or_else(|| "wanted a number, not negative, such as 3".into())
 }
 
 pub fn run(args: &Args, out: &mut impl Write) -> Result<Status, CommandError> {
@@ -86,7 +86,7 @@ fn designs(paths: &[PathBuf]) -> Vec<Result<PathBuf, Row>> {
 }
 
 #[derive(serde::Serialize)]
-struct HighestPeak {
+struct Force {
     frequency_hz: f64,
     force_n: f64,
 }
@@ -103,8 +103,13 @@ enum Row {
         within_limits: Option<bool>,
         /// Highest resonance of the finite element spectrum in the band; left out where there is none
         #[serde(skip_serializing_if = "Option::is_none")]
-        fe_highest_peak: Option<Box<HighestPeak>>,
-        enhanced: Figures,
+        fe_highest_peak: Option<Box<Force>>,
+        /// Greatest force of the finite element spectrum in the band, which may be at its end, below no peak
+        fe_greatest: Option<Box<Force>>,
+        /// Whether that is the last line of the band: a resonance may lie beyond it
+        #[serde(skip)]
+        rises_to_end: bool,
+        enhanced: Box<Figures>,
         basic: Figures,
         /// Fixed-interface modes a rotor with which a reduced model keeps all sixth-octave levels within 1 dB
         reduced_modes_for_1_db: Option<usize>,
@@ -183,16 +188,24 @@ fn checked(file: &Path, args: &Args) -> Row {
     let [low, high] = args.band.map_or([0.0, f64::INFINITY], |band| band.0);
     let lines =
         compared.frequency_hz.partition_point(|hz| *hz < low)..compared.frequency_hz.partition_point(|hz| *hz <= high);
-    let peak = highest_peak(&compared.frequency_hz[lines.clone()], &compared.fe.mesh_force[lines]);
-    let fe_highest_peak =
-        peak.map(|peak| Box::new(HighestPeak { frequency_hz: peak.frequency_hz, force_n: peak.force() }));
+    let (hz, force) = (&compared.frequency_hz[lines.clone()], &compared.fe.mesh_force[lines]);
+    let fe_greatest = hz
+        .iter()
+        .zip(force)
+        .map(|(hz, force)| Box::new(Force { frequency_hz: *hz, force_n: force.norm() }))
+        .max_by(|a, b| a.force_n.total_cmp(&b.force_n));
+    let rises_to_end = fe_greatest.as_ref().is_some_and(|greatest| Some(&greatest.frequency_hz) == hz.last());
+    let peak = highest_peak(hz, force);
+    let fe_highest_peak = peak.map(|peak| Box::new(Force { frequency_hz: peak.frequency_hz, force_n: peak.force() }));
     Row::Checked {
         file: file.display().to_string(),
         design: design.name.clone(),
         band_hz: args.band.map_or(all_lines, |band| band.0),
         within_limits: limited.then_some(within),
         fe_highest_peak,
-        enhanced: (&compared.enhanced_agreement).into(),
+        fe_greatest,
+        rises_to_end,
+        enhanced: Box::new((&compared.enhanced_agreement).into()),
         basic: (&compared.basic_agreement).into(),
         reduced_modes_for_1_db: reduced_modes,
         warnings,
@@ -235,6 +248,16 @@ fn write_table(out: &mut impl Write, rows: &[Row], args: &Args) -> io::Result<()
     write!(out, "{table}")?;
     if rows.iter().any(|row| matches!(row, Row::Checked { .. })) {
         writeln!(out, "modes: a rotor, for reduced:K to keep all sixth-octave levels within {REDUCED_DB} dB of FE")?;
+    }
+    for row in rows {
+        if let Row::Checked { file, fe_greatest: Some(greatest), rises_to_end: true, .. } = row {
+            let (force, hz) = (grouped(greatest.force_n), grouped(greatest.frequency_hz));
+            writeln!(
+                out,
+                "{}: the FE force rises to {force} N at the end of the range, {hz} Hz",
+                printable(&stem(file))
+            )?;
+        }
     }
     for row in rows {
         let (file, text) = match row {

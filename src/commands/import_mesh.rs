@@ -8,18 +8,39 @@ use clap::ValueEnum;
 use super::{CommandError, Status, input};
 use crate::design::{Editor, Source, TextError, read_text, save_new};
 use crate::gear::AveragedMesh;
-use crate::pair::{Flank, edit_of, read_flanks};
+use crate::pair::{Flank, edit_of, import_notes, read_flanks};
 use crate::text::printable;
 
 /// Most bytes of a table.
 const MAX_BYTES: u64 = 1 << 20;
 
+/// What a table looks like.
+const TABLE: &str = "\
+The table: comma-separated values with decimal points. The first line names
+all 15 columns, in any order; each further line is a flank, drive or coast.
+Lines that are empty or begin with # say nothing.
+
+  flank                          drive or coast
+  stiffness_n_per_m              mean mesh stiffness along the line of action, N/m
+  transmission_error_um          amplitude at mesh frequency, um
+  pinion_point_x_mm, _y_, _z_    mesh point, mm, from the pinion's mesh station
+  pinion_line_x, _y, _z          line of action, unit vector (to 1 %)
+  gear_point_x_mm, _y_, _z_      the same point from the gear's mesh station
+  gear_line_x, _y, _z            the same vector in the gear's frame
+
+Frames: each side in its own shaft's frame, y along the shaft. Signs: both
+lines are one vector, the direction of the force on the gear.
+
+Example (two lines; each of them is one line in the file):
+flank,stiffness_n_per_m,transmission_error_um,pinion_point_x_mm,pinion_point_y_mm,pinion_point_z_mm,pinion_line_x,pinion_line_y,pinion_line_z,gear_point_x_mm,gear_point_y_mm,gear_point_z_mm,gear_line_x,gear_line_y,gear_line_z
+drive,6.4e8,5,0,0,27.46,0.76975,-0.62285,0.1398,0,0,76.49,-0.76975,0.1398,-0.62285";
+
 /// Put averaged mesh numbers into a design: mesh point, line of action, stiffness and transmission error of one flank.
 ///
-/// The table is a file of comma-separated values. Its first line names the columns, in any order: flank, stiffness_n_per_m,
-/// transmission_error_um, pinion_point_x_mm (y, z), pinion_line_x (y, z), gear_point_x_mm (y, z), gear_line_x (y, z); each further
-/// line is a flank, drive or coast. Everything else in the design stays as it is written.
+/// Mesh vectors take the place of `[mesh.geometry]`, which is taken out where the design has it: a design has one or the other. Comments on
+/// replaced numbers give way to `# imported: FILE, FLANK flank`. Everything else in the design stays as it is written.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = TABLE)]
 pub struct Args {
     /// Table with the mesh numbers
     csv: PathBuf,
@@ -56,7 +77,11 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let loaded = input::load(&args.file, err)?;
     let usage = |error: &dyn std::fmt::Display| CommandError::Usage(printable(&error.to_string()).into_owned());
     let mut editor = Editor::new(loaded.text.as_str()).map_err(|error| usage(&error))?;
-    let edit = edit_of(mesh, &editor);
+    let table = args.csv.file_name().map_or_else(|| name.clone().into(), |name| name.to_string_lossy());
+    for note in import_notes(mesh, &editor) {
+        let _ = writeln!(err, "{}: {}", printable(&name), printable(&note));
+    }
+    let edit = edit_of(mesh, &editor, &printable(&table));
     editor.apply(&edit).map_err(|error| usage(&error))?;
     let reading = editor.reading();
     let name = args.output.display().to_string();

@@ -14,7 +14,7 @@ use crate::text::printable;
 /// A new design from a few wishes: a complete commented file that solves at once.
 ///
 /// Whatever is not asked for follows from the rest by a rule that the file names beside the number. The design is written to FILE.toml, or to
-/// standard output; a file that is there is never overwritten.
+/// standard output; a file that is there is never overwritten. A name without an ending gets `.toml`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// New design file, or - for standard output
@@ -27,38 +27,38 @@ pub struct Args {
     #[arg(long, default_value = "spiral-bevel")]
     kind: Kind,
     /// Teeth of the pinion, the small wheel, which drives
-    #[arg(long)]
-    pinion_teeth: Option<u32>,
+    #[arg(long, allow_negative_numbers = true)]
+    pinion_teeth: Option<String>,
     /// Teeth of the gear
-    #[arg(long)]
-    gear_teeth: Option<u32>,
+    #[arg(long, allow_negative_numbers = true)]
+    gear_teeth: Option<String>,
     /// Mean torque of the pinion, N m; shafts and bearings follow from it
-    #[arg(long)]
-    pinion_torque_n_m: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    pinion_torque_n_m: Option<String>,
     /// Speed of the pinion, rpm; marks the mesh frequency only
-    #[arg(long)]
-    pinion_speed_rpm: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    pinion_speed_rpm: Option<String>,
     /// Bevel and hypoid: outer pitch diameter of the gear, mm
-    #[arg(long)]
-    gear_outer_diameter_mm: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    gear_outer_diameter_mm: Option<String>,
     /// Spur and helical: normal module, mm
-    #[arg(long)]
-    normal_module_mm: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    normal_module_mm: Option<String>,
     /// Face width of the gear, mm
-    #[arg(long)]
-    face_width_mm: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    face_width_mm: Option<String>,
     /// Mean spiral angle (hypoid: of the pinion) or helix angle, deg
-    #[arg(long)]
-    spiral_angle_deg: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    spiral_angle_deg: Option<String>,
     /// Hypoid: offset of the axes, mm
-    #[arg(long)]
-    offset_mm: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    offset_mm: Option<String>,
     /// Hypoid: mean cutter radius, mm
-    #[arg(long)]
-    cutter_radius_mm: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    cutter_radius_mm: Option<String>,
     /// Normal pressure angle of the loaded flank, deg
-    #[arg(long)]
-    pressure_angle_deg: Option<f64>,
+    #[arg(long, allow_negative_numbers = true)]
+    pressure_angle_deg: Option<String>,
     /// Hand of the pinion's teeth
     #[arg(long)]
     hand: Option<Hand>,
@@ -131,7 +131,13 @@ pub fn run(args: &Args, out: &mut impl Write) -> Result<Status, CommandError> {
     if args.file == Path::new("-") {
         out.write_all(text.as_bytes())?;
     } else {
-        save_new(&args.file, &text).map_err(|error| usage(error.to_string()))?;
+        let mut file = args.file.clone();
+        if file.extension().is_none() {
+            // folders show designs by it
+            file.set_extension("toml");
+        }
+        save_new(&file, &text).map_err(|error| usage(error.to_string()))?;
+        writeln!(out, "{}", printable(&file.display().to_string()))?;
     }
     Ok(Status::Success)
 }
@@ -142,21 +148,19 @@ impl Args {
         fn word<T: ValueEnum>(value: Option<&T>) -> Option<String> {
             value?.to_possible_value().map(|value| value.get_name().to_owned())
         }
-        let number = |value: Option<f64>| value.map(|value| format!("{value:?}"));
-        let count = |value: Option<u32>| value.map(|value| value.to_string());
         let all = [
             (Field::Kind, word(Some(&self.kind))),
-            (Field::PinionTeeth, count(self.pinion_teeth)),
-            (Field::GearTeeth, count(self.gear_teeth)),
-            (Field::PinionTorque, number(self.pinion_torque_n_m)),
-            (Field::PinionSpeed, number(self.pinion_speed_rpm)),
-            (Field::GearOuterDiameter, number(self.gear_outer_diameter_mm)),
-            (Field::NormalModule, number(self.normal_module_mm)),
-            (Field::FaceWidth, number(self.face_width_mm)),
-            (Field::SpiralAngle, number(self.spiral_angle_deg)),
-            (Field::Offset, number(self.offset_mm)),
-            (Field::CutterRadius, number(self.cutter_radius_mm)),
-            (Field::PressureAngle, number(self.pressure_angle_deg)),
+            (Field::PinionTeeth, self.pinion_teeth.clone()),
+            (Field::GearTeeth, self.gear_teeth.clone()),
+            (Field::PinionTorque, self.pinion_torque_n_m.clone()),
+            (Field::PinionSpeed, self.pinion_speed_rpm.clone()),
+            (Field::GearOuterDiameter, self.gear_outer_diameter_mm.clone()),
+            (Field::NormalModule, self.normal_module_mm.clone()),
+            (Field::FaceWidth, self.face_width_mm.clone()),
+            (Field::SpiralAngle, self.spiral_angle_deg.clone()),
+            (Field::Offset, self.offset_mm.clone()),
+            (Field::CutterRadius, self.cutter_radius_mm.clone()),
+            (Field::PressureAngle, self.pressure_angle_deg.clone()),
             (Field::Hand, word(self.hand.as_ref())),
             (Field::PinionMounting, word(self.pinion_mounting.as_ref())),
             (Field::GearMounting, word(self.gear_mounting.as_ref())),

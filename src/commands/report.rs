@@ -28,7 +28,7 @@ pub struct Args {
     #[arg(long, value_name = "FOLDER")]
     svg: Option<PathBuf>,
     /// Difference in dB beyond which lines disagree
-    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit)]
+    #[arg(long, value_name = "DB", default_value_t = TOLERANCE_DB, value_parser = super::check::parse_limit, allow_negative_numbers = true)]
     tolerance: f64,
     /// Overwrite files that are there
     #[arg(long)]
@@ -48,6 +48,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
     let entries: Vec<Entry<'_>> = solved.iter().map(|(loaded, study)| Entry { loaded, study }).collect();
     let text = page(&entries, &date);
     let output = args.output.clone().unwrap_or_else(|| default_output(&args.files));
+    let page_file = output.clone();
     let to_stdout = output == Path::new("-");
     let mut targets: Vec<(PathBuf, String)> = Vec::new();
     if let Some(folder) = &args.svg {
@@ -59,6 +60,7 @@ pub fn run(args: &Args, out: &mut impl Write, err: &mut impl Write) -> Result<St
         targets.push((output, text.clone()));
     }
     check(&targets, args)?;
+    wanted_html(&page_file)?;
     if let Some(folder) = &args.svg {
         fs::create_dir_all(folder).map_err(|error| usage(&format!("{}: cannot be made: {error}", folder.display())))?;
     }
@@ -80,6 +82,18 @@ fn usage(text: &str) -> CommandError {
     CommandError::Usage(printable(text).into_owned())
 }
 
+/// A page under the name of another kind of file would be opened by the wrong program.
+fn wanted_html(output: &Path) -> Result<(), CommandError> {
+    let html = |ending: &std::ffi::OsStr| ["html", "htm"].iter().any(|html| ending.eq_ignore_ascii_case(html));
+    if output == Path::new("-") || output.is_dir() || output.extension().is_some_and(html) {
+        return Ok(());
+    }
+    Err(usage(&format!(
+        "{}: the report is a page: a name that ends in .html or .htm is wanted, or -",
+        output.display()
+    )))
+}
+
 /// Nothing is written where anything would be lost: an existing file without `--force`, a design with it.
 fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError> {
     let designs: Vec<PathBuf> = args.files.iter().filter_map(|file| fs::canonicalize(file).ok()).collect();
@@ -89,6 +103,9 @@ fn check(targets: &[(PathBuf, String)], args: &Args) -> Result<(), CommandError>
         }
         if fs::canonicalize(path).is_ok_and(|path| designs.contains(&path)) {
             return Err(usage(&format!("{}: this is one of the designs", path.display())));
+        }
+        if path.is_dir() {
+            return Err(usage(&SaveError::Exists(path.clone()).to_string()));
         }
         if !args.force && fs::symlink_metadata(path).is_ok() {
             return Err(usage(&format!("{}; --force overwrites", SaveError::Exists(path.clone()))));

@@ -19,7 +19,7 @@ pub enum SaveError {
     NotThere(PathBuf),
     #[error("{}: the file is write-protected", shown(.0))]
     ReadOnly(PathBuf),
-    #[error("{}: there is a file of that name already", shown(.0))]
+    #[error("{}: there is a {} of that name already", shown(.0), if .0.is_dir() { "folder" } else { "file" })]
     Exists(PathBuf),
     #[error("{}: the folder is not there", shown(.0))]
     NoFolder(PathBuf),

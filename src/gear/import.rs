@@ -23,6 +23,11 @@ pub const COLUMNS: [&str; 15] = [
     "gear_line_z",
 ];
 
+/// How far the length of a unit vector may be from 1: up to here it is as it is in a design; up to there it was rounded to two or three
+/// decimals, and is scaled.
+const EXACT: f64 = 1e-3;
+const SCALED: f64 = 1e-2;
+
 /// Averaged numbers of one flank, in the units of the columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AveragedMesh {
@@ -32,6 +37,8 @@ pub struct AveragedMesh {
     pub transmission_error_um: f64,
     /// Mesh point (mm, from the mesh station) and line of action of the pinion, then of the gear
     pub sides: [([f64; 3], [f64; 3]); 2],
+    /// What was put right, in sentences
+    pub notes: Vec<String>,
 }
 
 /// What is wrong with a line; texts of the file in it are harmless to show.
@@ -78,18 +85,30 @@ fn fields(line: &str) -> Vec<&str> {
 
 /// Where each of [`COLUMNS`] stands.
 fn order(line: usize, head: &[&str]) -> Result<Vec<usize>, ImportError> {
+    if let Some(other) = [';', '\t'].into_iter().find(|other| head.len() == 1 && head[0].contains(*other)) {
+        let name = if other == ';' { "semicolons" } else { "tabs" };
+        let wanted = "commas are wanted between values, and a point before decimals";
+        return Err(error(line, &format!("the columns are separated by {name}; {wanted}")));
+    }
     if let Some(unknown) = head.iter().find(|name| !COLUMNS.contains(*name)) {
         return Err(error(
             line,
             &format!("unknown column `{}`; the columns are {}", excerpt(unknown, 40), COLUMNS.join(", ")),
         ));
     }
+    let missing: Vec<String> =
+        COLUMNS.iter().filter(|column| !head.contains(column)).map(|column| format!("`{column}`")).collect();
+    match missing.as_slice() {
+        [] => {}
+        [column] => return Err(error(line, &format!("the column {column} is missing"))),
+        columns => return Err(error(line, &format!("the columns {} are missing", columns.join(", ")))),
+    }
     let place = |column: &&str| {
-        let mut places = head.iter().enumerate().filter(|(_, name)| *name == column);
-        match (places.next(), places.next()) {
-            (Some((place, _)), None) => Ok(place),
-            (None, _) => Err(error(line, &format!("the column `{column}` is missing"))),
-            (Some(_), Some(_)) => Err(error(line, &format!("the column `{column}` is there twice"))),
+        let mut places = head.iter().enumerate().filter(|(_, name)| *name == column).map(|(place, _)| place);
+        let first = places.next().ok_or_else(|| error(line, &format!("the column `{column}` is missing")))?;
+        match places.next() {
+            None => Ok(first),
+            Some(_) => Err(error(line, &format!("the column `{column}` is there twice"))),
         }
     };
     COLUMNS.iter().map(place).collect()
@@ -99,7 +118,12 @@ fn flank(line: usize, fields: &[&str], order: &[usize]) -> Result<AveragedMesh, 
     if fields.len() != order.len() {
         return Err(error(
             line,
-            &format!("{} values are wanted, one a column; there are {}", order.len(), fields.len()),
+            &format!(
+                "{} values are wanted, one a column; there are {}{}",
+                order.len(),
+                fields.len(),
+                if fields.len() > order.len() { ": decimals stand behind a point, not a comma" } else { "" }
+            ),
         ));
     }
     let flank = fields[order[0]];
@@ -122,19 +146,28 @@ fn flank(line: usize, fields: &[&str], order: &[usize]) -> Result<AveragedMesh, 
             ));
         }
     }
-    let three = |from: usize| [values[from], values[from + 1], values[from + 2]];
+    let mut notes = Vec::new();
     for from in [6, 12] {
-        let length = three(from).iter().map(|x| x * x).sum::<f64>().sqrt();
-        if (length - 1.0).abs() > 1e-3 {
-            let name = COLUMNS[from].trim_end_matches("_x");
-            return Err(error(line, &format!("{name} must be a unit vector, to 0.001; its length is {length:.6}")));
+        let vector = &mut values[from..from + 3];
+        let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let (off, name) = ((length - 1.0).abs(), COLUMNS[from].trim_end_matches("_x"));
+        if off > SCALED {
+            return Err(error(line, &format!("{name} must be a unit vector, to 1 %; its length is {length:.6}")));
+        }
+        if off > EXACT {
+            for x in vector {
+                *x = (*x / length * 1e6).round() / 1e6;
+            }
+            notes.push(format!("line {line}: {name} had the length {length:.6}; it is scaled to 1"));
         }
     }
+    let three = |from: usize| [values[from], values[from + 1], values[from + 2]];
     Ok(AveragedMesh {
         flank: flank.into(),
         stiffness_n_per_m: values[1],
         transmission_error_um: values[2],
         sides: [(three(3), three(6)), (three(9), three(12))],
+        notes,
     })
 }
 

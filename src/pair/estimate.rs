@@ -35,11 +35,15 @@ impl Estimate {
         format!("{:.3e}", self.stiffness)
     }
 
-    /// Taking it over, as an edit that says that it is an estimate.
+    /// Taking it over, as an edit that says beside the number that it is an estimate.
     pub fn edit(&self) -> Option<Edit> {
         let path = KeyPath::root().key("mesh").key("stiffness_n_per_m");
+        let comment = Edit::Comment { path: path.clone(), text: format!("{METHOD}: {}", self.formula) };
         let set = Edit::Set { path, value: Spelled::parse(&self.written())? };
-        Some(Edit::Several { edits: vec![set], name: EditName::new("stiffness of the mesh (estimate, ISO 10300-1)") })
+        Some(Edit::Several {
+            edits: vec![set, comment],
+            name: EditName::new("stiffness of the mesh (estimate, ISO 10300-1)"),
+        })
     }
 }
 

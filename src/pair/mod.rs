@@ -15,5 +15,5 @@ mod thrust;
 pub use document::{data, notes, sketch, table_of};
 pub use estimate::{Estimate, METHOD, spiral_angle};
 pub use figures::{Arms, PairFigures, ShaftFigures};
-pub use import::{Flank, edit_of, read_flanks};
+pub use import::{Flank, edit_of, import_notes, read_flanks};
 pub use scene::{Role, Scene, Shape, scenes};

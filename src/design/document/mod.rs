@@ -10,8 +10,9 @@
 //! | `scan`, `statement`, `items` | where things stand: in lines, in statements, between brackets |
 //! | `tree` | what the text says |
 //! | `view`, `order` | how something is written; where the schema wants it |
-//! | `put`, `take`, `rows`, `rename` | the edits |
+//! | `put`, `take`, `rows`, `rename`, `comment` | the edits |
 
+mod comment;
 mod items;
 mod order;
 mod put;
@@ -133,6 +134,14 @@ impl Document {
         let splices = take::take(&view, &path)?;
         let mut meant = view.tree.clone();
         meant.remove(&path);
+        self.take_over(&splices, meant, &path)
+    }
+
+    /// Says something beside a value or a header that has a line of its own, in place of what was said there.
+    pub(super) fn comment(&mut self, path: &KeyPath, text: &str) -> Result<Option<Change>, EditError> {
+        let view = self.view();
+        let path = view.tree.by_place(path);
+        let (splices, meant) = (comment::comment(&view, &path, text), view.tree.clone());
         self.take_over(&splices, meant, &path)
     }
 

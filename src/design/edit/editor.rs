@@ -2,6 +2,7 @@
 
 use super::history::History;
 use super::{Edit, EditName, steps};
+use crate::design::document::Tree;
 use crate::design::grid::{Grid, Sheet};
 use crate::design::{Document, EditError, KeyPath, Reading, label, read};
 
@@ -114,6 +115,14 @@ impl Editor {
     /// Whether the text has that key or table.
     pub fn is_written(&self, path: &KeyPath) -> bool {
         self.document.tree().at(path).is_some()
+    }
+
+    /// How many keys the table has; none where it is not written.
+    pub fn count_keys(&self, path: &KeyPath) -> usize {
+        match self.document.tree().at(path) {
+            Some(Tree::Table(keys)) => keys.len(),
+            _ => 0,
+        }
     }
 
     /// What people call the values at some paths: `outer diameter of pinion segment 3`.

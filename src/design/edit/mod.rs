@@ -38,6 +38,9 @@ pub enum Edit {
     Set { path: KeyPath, value: Spelled },
     /// Takes a key or a table out, so that its default holds again.
     Remove { path: KeyPath },
+    /// Says something, on one line, beside a value or a header in place of the comments at the end of its line and right above it.
+    /// Nothing changes where it has no line of its own.
+    Comment { path: KeyPath, text: String },
     /// Adds a row with starting values to a list of tables; the row has that place afterwards.
     InsertRow { list: KeyPath, place: usize },
     /// Adds a copy of the row after it, with a name of its own.

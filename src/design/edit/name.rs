@@ -23,6 +23,7 @@ impl EditName {
         Self(match edit {
             Edit::Set { path, .. } => value(path),
             Edit::Remove { path } => format!("clear {}", value(path)),
+            Edit::Comment { path, .. } => format!("comment of {}", value(path)),
             Edit::InsertRow { list, place } => {
                 // the row is not there yet and has no name
                 format!("insert {}", label::of_row_in_words(&Tree::table(), &list.place(*place)))

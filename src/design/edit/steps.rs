@@ -22,6 +22,11 @@ impl Steps {
         match edit {
             Edit::Set { path, value } => value::set(self, &tree.by_place(path), value.as_str()),
             Edit::Remove { path } => value::remove(self, &tree.by_place(path)),
+            Edit::Comment { path, text } => {
+                let change = self.document.comment(path, text)?;
+                self.changes.extend(change);
+                Ok(tree.by_place(path))
+            }
             Edit::InsertRow { list, place } => row::insert(self, list, *place),
             Edit::DuplicateRow { row } => row::duplicate(self, &tree.by_place(row)),
             Edit::DeleteRow { row } => row::delete(self, &tree.by_place(row)),

@@ -1,11 +1,11 @@
 //! A table of averaged mesh numbers: its file while that is named, and what it would change.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::design::grid::Sheet;
 use crate::design::{EditError, Editor, Side, diff};
 use crate::gear::AveragedMesh;
-use crate::pair::{Flank, edit_of};
+use crate::pair::{Flank, edit_of, import_notes};
 use crate::text::printable;
 use crate::tui::app::{App, Scroll};
 use crate::tui::file_jobs::FileJob;
@@ -36,7 +36,7 @@ pub struct ImportForm {
 pub struct Preview {
     /// Label, old and new value, unit; harmless to show
     pub changes: Vec<[String; 4]>,
-    /// What would be wrong or unusual in the mesh afterwards
+    /// What is to be known before, and what would be wrong or unusual in the mesh afterwards
     pub findings: Vec<String>,
 }
 
@@ -124,7 +124,7 @@ impl App {
         let Some(editing) = self.editors.open() else { return };
         let text = editing.editor.text();
         let Some(form) = self.pair.as_ref().and_then(|view| view.import.as_ref()) else { return };
-        let preview = form.flank.of(&form.flanks).and_then(|mesh| preview(text, mesh));
+        let preview = form.flank.of(&form.flanks).and_then(|mesh| preview(text, mesh, &file_name(form.field.text())));
         if let Some(form) = self.import_form() {
             form.preview = Some(preview);
         }
@@ -134,17 +134,23 @@ impl App {
     pub(super) fn accept_import(&mut self) -> Vec<Effect> {
         let Some(form) = self.pair.as_ref().and_then(|view| view.import.as_ref()) else { return Vec::new() };
         let (Some(Ok(_)), Some(editing)) = (&form.preview, self.editors.open()) else { return Vec::new() };
-        let edit = form.flank.of(&form.flanks).map(|mesh| edit_of(mesh, &editing.editor));
+        let edit =
+            form.flank.of(&form.flanks).map(|mesh| edit_of(mesh, &editing.editor, &file_name(form.field.text())));
         self.close_pair_form();
         edit.map_or(Vec::new(), |edit| self.edit_pair(&edit))
     }
 }
 
-fn preview(text: &str, mesh: &AveragedMesh) -> Result<Preview, String> {
+/// The last part of a path, which a design's comment names.
+fn file_name(path: &str) -> String {
+    Path::new(path.trim()).file_name().map_or_else(String::new, |name| printable(&name.to_string_lossy()).into_owned())
+}
+
+fn preview(text: &str, mesh: &AveragedMesh, file: &str) -> Result<Preview, String> {
     let in_words = |error: EditError| printable(&error.to_string()).into_owned();
     let before = Editor::new(text).map_err(in_words)?;
     let mut editor = before.clone();
-    editor.apply(&edit_of(mesh, &before)).map_err(in_words)?;
+    editor.apply(&edit_of(mesh, &before, file)).map_err(in_words)?;
     let vectors = Side::BOTH.map(|side| before.grid(&Sheet::mesh_side(side)));
     let changes = diff(text, editor.text()).into_iter().map(|difference| {
         let [a, b] = difference.shown();
@@ -157,5 +163,6 @@ fn preview(text: &str, mesh: &AveragedMesh) -> Result<Preview, String> {
         [label.as_str(), &a, b, unit].map(|text| printable(text).into_owned())
     });
     let findings = editor.reading().findings.iter().filter(|finding| finding.shown_path().starts_with("mesh"));
-    Ok(Preview { changes: changes.collect(), findings: findings.map(sentence).collect() })
+    let notes = import_notes(mesh, &before).into_iter().map(|note| printable(&note).into_owned());
+    Ok(Preview { changes: changes.collect(), findings: notes.chain(findings.map(sentence)).collect() })
 }
