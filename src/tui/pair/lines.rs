@@ -90,7 +90,7 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
         };
         lines.push(Line::Single(format!("{hand} pinion, turns {turns} about y")));
         let angle = significant(geometry.pressure_angle.to_degrees(), 5);
-        lines.push(Line::Single(format!("pressure angle as written, {angle} deg")));
+        lines.push(Line::Single(format!("pressure angle {angle} deg as written")));
         lines.push(Line::Note("that of this flank: write the other flank's after flipping if it differs".into()));
     }
     lines

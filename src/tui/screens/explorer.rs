@@ -93,6 +93,7 @@ fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let mut title = spectrum::title(&theme, area.width);
     if app.library.selected().is_some_and(|row| row.unsaved) {
         title.left = title.left.into_iter().map(|text| format!("saved: {text}")).collect();
+        title.left.push("saved".into());
     }
     let inner = panel::frame(area, buffer, &title, false, &theme);
     let warnings =

@@ -31,8 +31,8 @@ use crate::tui::widgets::plot::{GUTTER, curve_width};
 use crate::tui::widgets::{figures, findings_list, footer, header, wide_plot};
 
 /// From here on the list stands at the side, and no name in it is cut.
-const WIDE: u16 = 150;
-const SIDE: u16 = 76;
+const WIDE: u16 = 190;
+const SIDE: u16 = 96;
 /// Rows inside the frame from which on there is room for a list below.
 const HIGH: u16 = 16;
 const LIST_ROWS: u16 = 5;
