@@ -81,6 +81,7 @@ fn hint_in(mode: Mode, about: &About) -> Option<Hint> {
         (Mode::Library, Action::GearPair) => hint(2, "pair"),
         (Mode::Library, Action::NewDesign) => hint(2, "new"),
         (Mode::Library, Action::Help) => hint(3, "help"),
+        (Mode::Library, Action::Quit) => hint(4, "quit"),
         (Mode::Spectra, Action::MoveLeft | Action::MoveRight) => hint(0, "cursor"),
         // they go where the keys of bands and peaks go
         (Mode::Spectra, Action::MoveUp | Action::MoveDown) => None,
