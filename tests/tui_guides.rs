@@ -83,7 +83,7 @@ fn figures_of_the_file_beside_unsaved_edits_are_called_saved() {
     assert!(!screen.text().contains("saved"));
     let shown = screen.keys("e5<Enter><Esc>").text();
     let row = shown.lines().find(|line| line.contains(" * ")).unwrap();
-    assert!(row.contains(" * saved"), "{shown}");
+    assert!(row.contains(" *  saved"), "{shown}");
     assert!(shown.contains("┌ saved ─"), "{shown}");
     assert!(!screen.keys("es<Esc>").text().contains("┌ saved ─"), "{}", screen.text());
 }
