@@ -44,6 +44,12 @@ pub fn grouped(value: f64) -> String {
     out
 }
 
+/// A value, or zero where beside the `largest` of its kind it is what rounding has left.
+pub fn without_rounding(value: f64, largest: f64) -> f64 {
+    const ROUNDING: f64 = 1e-9;
+    if value.abs() < ROUNDING * largest { 0.0 } else { value }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{grouped, significant};

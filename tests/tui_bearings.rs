@@ -13,6 +13,7 @@ use bevelscope::comparison::{Comparison, Observer, SolveError};
 use bevelscope::design::library::SHIPPED;
 use bevelscope::design::{Design, Edit, Editor, KeyPath, Side, Spelled};
 use bevelscope::model::Rotors;
+use bevelscope::number::grouped;
 use bevelscope::tui::bearings::{self, BearingRow, BearingStates};
 use bevelscope::tui::caps::{Capabilities, ColourDepth};
 use bevelscope::tui::keymap::Mode;
@@ -128,6 +129,56 @@ fn the_torque_is_an_edit_like_any_other_and_the_spectra_follow() {
     assert_eq!(screen.app.mode, Mode::Bearings);
     // 1 lbf ft = 4.4482216152605 N times 0.3048 m
     assert!((torque(&screen) / (221.27 * 4.448_221_615_260_5 * 0.3048) - 1.0).abs() < 1e-9, "{}", torque(&screen));
+}
+
+/// The load and the stiffness beside those of the saved torque.
+#[test]
+fn what_a_torque_does_to_a_bearing_stands_beside_what_it_was() {
+    let mut screen = axle();
+    let greatest = |screen: &Screen| {
+        let states = states(screen);
+        let side = states.side(Side::Pinion);
+        let support = &side.supports[0].stiffness;
+        (side.rolling[0].as_ref().unwrap().state.greatest_load(), support[(0, 0)], support[(2, 2)])
+    };
+    let before = greatest(&screen);
+    assert!(!screen.text().contains("(was"), "{}", screen.text());
+    let shown = screen.keys("t600<Enter>").text();
+    let now = greatest(&screen);
+    let percent = |now: f64, before: f64| format!("{:+.1} %", 100.0 * (now / before - 1.0));
+    let said = format!(
+        "most {} N (was {}), kx {}, kz {}",
+        grouped(now.0),
+        grouped(before.0),
+        percent(now.1, before.1),
+        percent(now.2, before.2)
+    );
+    assert!(shown.contains(&format!("torque 600 N m: {said}")), "{said}: {shown}");
+    assert!(screen.keys("j").text().contains("since saved: most "), "{}", screen.text());
+    assert!(!screen.keys("u").text().contains("kx +"), "{}", screen.text());
+}
+
+/// The torque is named where a bearing follows it, and each row says where its load comes from.
+#[test]
+fn the_title_and_the_rows_say_where_loads_come_from() {
+    let shown = axle().text();
+    assert!(
+        shown.contains("Bearings at 300 N m") && shown.contains("load by") && shown.contains(" torque "),
+        "{shown}"
+    );
+    let shown = opened("straddle-helical", 80, 24, UNICODE).text();
+    assert!(shown.contains("Bearings: loads by preload") && shown.contains(" preload "), "{shown}");
+    // beside 900 N, 1e-13 N is rounding
+    assert!(!shown.contains("e-1"), "{shown}");
+}
+
+#[test]
+fn a_small_terminal_shows_four_bearings() {
+    let screen = opened(AXLE, 60, 18, UNICODE);
+    let shown = screen.text();
+    assert!(!shown.contains("1-1 of"), "{shown}");
+    let rows = |text: &str| text.lines().filter(|line| line.contains("pinion ") || line.contains("gear ")).count();
+    assert!(rows(&shown) >= 4, "{shown}");
 }
 
 #[test]

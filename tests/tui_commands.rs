@@ -424,7 +424,7 @@ fn a_file_request_is_made_once_and_its_result_taken_after_the_form_has_gone() {
     screen.keys("rx<Enter><Enter>y");
     let [Effect::ChangeFile(request)] = &screen.effects[..] else { panic!("{:?}", screen.effects) };
     let request = request.clone();
-    assert_eq!(screen.app.form.as_ref().unwrap().field.text(), "basex");
+    assert_eq!(screen.app.form.as_ref().unwrap().field.text(), "x");
     screen.keys("<Esc>j");
     screen.send(Message::FileChanged { request, result: Err("the folder is full".into()) });
     assert_eq!((screen.app.mode, said(&screen)), (Mode::Library, "the folder is full"));

@@ -122,7 +122,7 @@ fn a_name_is_not_refused_before_it_is_asked_for() {
     assert!(!screen.text().contains(refused), "{}", screen.text());
     screen.keys("<Enter>");
     assert!(screen.text().contains(refused), "{}", screen.text());
-    screen.keys("<Esc>rx<Backspace>");
+    screen.keys("<Esc>r<End>x<Backspace>");
     assert!(screen.text().contains(refused), "{}", screen.text());
 }
 

@@ -112,6 +112,32 @@ fn what_cannot_be_is_said_beside_the_answer_and_nothing_is_made() {
     assert_eq!(shelf.stems(), ["spiral-bevel-20-56"]);
 }
 
+/// Whichever key gives the answer, the name is that of the pair which is made.
+#[test]
+fn the_proposed_name_follows_every_answer() {
+    let (mut screen, shelf) = empty(80, 24, UNICODE);
+    assert!(screen.keys("a<Down><Right><Right>").text().contains("hypoid-13-42"), "{}", screen.text());
+    assert!(screen.keys("<Left>").text().contains("straight-bevel-"), "{}", screen.text());
+    for key in ["<Backspace>", "<Delete>", "<Ctrl-w>", "<Ctrl-u>"] {
+        screen.keys("h");
+        let shown = screen.keys(key).text();
+        assert!(shown.contains("spiral-bevel-14-39"), "{key}: {shown}");
+    }
+    screen.keys("<Right><Right><Enter>");
+    assert_eq!(shelf.stems(), ["hypoid-13-42"]);
+}
+
+#[test]
+fn what_followed_before_a_refused_answer_is_called_stale_and_never_written() {
+    let (mut screen, shelf) = empty(120, 40, UNICODE);
+    assert!(!screen.keys("a<Down><Down>").text().contains("stale"));
+    let shown = screen.keys("3").text();
+    assert!(shown.contains("stale: Side view") && shown.contains("stale: What follows"), "{shown}");
+    screen.keys("<Enter>");
+    assert_eq!((shelf.stems().len(), screen.app.mode), (0, Mode::New));
+    assert!(!screen.keys("<Ctrl-u>").text().contains("stale"), "{}", screen.text());
+}
+
 #[test]
 fn a_name_that_is_taken_or_refused_is_said_beside_it() {
     let (mut screen, shelf) = empty(80, 24, UNICODE);

@@ -101,6 +101,46 @@ fn mesh_vectors_have_one_flank() {
     assert_eq!(text(&screen), before);
 }
 
+/// The flank is another one, and the pressure angle stays that of the first.
+#[test]
+fn a_flipped_flank_says_whose_pressure_angle_it_has() {
+    let mut screen = pair("tapered-hypoid", 120, 40, UNICODE);
+    assert!(screen.text().contains("pressure angle 17.747 deg as written"), "{}", screen.text());
+    let shown = screen.keys("f").text();
+    assert!(shown.contains("other flank; pressure angle as written, 17.7 deg: write its own"), "{shown}");
+    assert!(!screen.keys("u").text().contains("other flank;"), "{}", screen.text());
+}
+
+#[test]
+fn without_gear_data_it_is_said_what_would_tell_the_way_of_the_thrust() {
+    let shown = pair("overhung-elastic", 120, 40, UNICODE).text().replace('\n', " ");
+    assert!(shown.contains("add [mesh.geometry] for that"), "{shown}");
+}
+
+#[test]
+fn the_sign_of_a_torque_is_said_not_to_count() {
+    let mut screen = Screen::with(&["tapered-axle"], 120, 40, UNICODE, Shelf::shipped());
+    let shown = screen.keys("Bt-300<Enter>").text();
+    assert!(shown.contains("torque -300 N m, its sign does not count"), "{shown}");
+    let shown = screen.keys("<Esc>P").text();
+    assert!(shown.contains("sign of the torque"), "{shown}");
+}
+
+/// Both members have arrows at one mesh point: small letters are the pinion's, capitals the gear's.
+#[test]
+fn arrows_of_both_members_are_told_apart() {
+    let screen = pair("straddle-helical", 130, 45, UNICODE);
+    let text = screen.text();
+    let picture: String = text.lines().skip(2).take(38).map(|line| line.chars().take(88).collect::<String>()).collect();
+    for letter in ['t', 'T', 'r', 'R'] {
+        let alone = |(at, _): (usize, char)| {
+            let around = picture.chars().skip(at.saturating_sub(1)).take(3).collect::<String>();
+            around.chars().filter(|near| near.is_alphabetic()).count() == 1
+        };
+        assert!(picture.chars().enumerate().filter(|(_, one)| *one == letter).any(alone), "{letter}: {text}");
+    }
+}
+
 #[test]
 fn an_estimate_is_taken_only_when_it_is_asked_for() {
     let mut screen = pair("tapered-axle", 80, 24, UNICODE);
@@ -125,7 +165,7 @@ fn an_estimate_is_taken_only_when_it_is_asked_for() {
     assert!(screen.text().contains("the spiral angle must be from 0"), "{}", screen.text());
     let shown = screen.keys("<Ctrl-u>35<Enter>").text();
     assert!(
-        shown.contains("done: stiffness of the mesh (estimate, ISO 10300-1)") && shown.contains("unsaved edits"),
+        shown.contains("mesh stiffness 6.4e8 -> 6.435e8 N/m (estimate)") && shown.contains("unsaved edits"),
         "{shown}"
     );
     // the comment above the old number gives way to one that says where the new one comes from

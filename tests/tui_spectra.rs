@@ -173,6 +173,21 @@ fn jumps_go_through_all_bands_of_the_tolerance_and_round() {
 }
 
 #[test]
+fn the_reasons_are_those_of_the_band_at_the_cursor() {
+    let mut screen = wide(80, 24, ASCII, "<Home>");
+    assert!(view(&screen).band_under().is_none() && !view(&screen).findings().unwrap().bands.is_empty());
+    let shown = screen.keys("<Enter>").text();
+    assert_eq!(screen.app.mode, Mode::Spectra);
+    assert!(shown.contains("no band here: n goes to the next"), "{shown}");
+    // the list marks a band only where the cursor is in it
+    assert!(!shown.lines().any(|line| line.starts_with("|>")), "{shown}");
+    let shown = screen.keys("n").text();
+    assert!(shown.lines().any(|line| line.starts_with("|>")), "{shown}");
+    assert!(screen.keys("<Enter>").text().contains("Band 1 of"), "{}", screen.text());
+    assert_eq!(screen.app.mode, Mode::Why);
+}
+
+#[test]
 fn peaks_are_listed_in_pairs_and_unpaired_ones_as_such() {
     let mut screen = wide(120, 40, UNICODE, "a<Home>p");
     let findings = view(&screen).findings().unwrap();

@@ -3,8 +3,11 @@
 
 mod tui_support;
 
+use bevelscope::tui::caps::{Capabilities, ColourDepth};
 use bevelscope::tui::editor::Layer;
 use bevelscope::tui::keymap::Mode;
+use bevelscope::tui::message::Message;
+use ratatui::style::Modifier;
 use tui_support::{Screen, Shelf, UNICODE};
 
 fn screen() -> Screen {
@@ -81,4 +84,69 @@ fn any_digit_begins_a_number() {
     assert_eq!(screen.app.mode, Mode::Table, "the name of a model is no number");
     screen.keys("<F1>19");
     assert_eq!((screen.app.mode, typed(&screen).as_str()), (Mode::Cell, "19"));
+}
+
+/// Keys that open a prompt with a text in it, that text, and another one.
+const PROPOSED: [[&str; 3]; 7] = [
+    ["Bt", "300.0", "600"],
+    ["Mf<Ctrl-u>1500<Enter>f", "1500.00", "900"],
+    ["r", "tapered-axle", "soft"],
+    ["Y", "tapered-axle-2", "soft"],
+    [":export-shown<Enter>", "tapered-axle.html", "boss.html"],
+    ["eS", "tapered-axle-variant", "soft"],
+    ["PK<Tab>", " deg", "20"],
+];
+
+fn in_prompt(keys: &str) -> Screen {
+    let without = Capabilities { colour: ColourDepth::None, ..UNICODE };
+    let mut screen = Screen::with(&["tapered-axle"], 80, 24, without, Shelf::shipped());
+    screen.keys(keys);
+    screen
+}
+
+/// The line that the cursor is in, and whether what stands before the cursor is shown as selected.
+fn prompt(screen: &mut Screen) -> (String, bool) {
+    let cursor = screen.terminal.get_cursor_position().unwrap();
+    assert!(cursor.x > 0, "no cursor in {:?}: {}", screen.app.mode, screen.text());
+    let before = screen.buffer().cell((cursor.x - 1, cursor.y)).unwrap().modifier;
+    (screen.line(cursor.y), before.contains(Modifier::REVERSED))
+}
+
+#[test]
+fn what_is_typed_or_pasted_first_takes_the_place_of_what_a_prompt_proposes() {
+    for [open, proposed, other] in PROPOSED {
+        let mut screen = in_prompt(open);
+        let (line, is_selected) = prompt(&mut screen);
+        assert!(line.contains(proposed) && is_selected, "{open}: {line}");
+        let (line, is_selected) = prompt(screen.keys(other));
+        assert!(line.contains(other) && !line.contains(proposed) && !is_selected, "{open}: {line}");
+        let mut screen = in_prompt(open);
+        screen.send(Message::Paste(other.into()));
+        let (line, _) = prompt(&mut screen);
+        assert!(line.contains(other) && !line.contains(proposed), "{open}: {line}");
+    }
+}
+
+#[test]
+fn what_a_prompt_proposes_is_kept_by_any_other_key() {
+    for [open, proposed, _] in PROPOSED {
+        for (keys, kept) in [("<Left><Right>7", proposed), ("<Home>7", proposed), ("<Backspace>7", &proposed[..3])] {
+            let mut screen = in_prompt(open);
+            let (line, is_selected) = prompt(screen.keys(keys));
+            assert!(line.contains(kept) && line.contains('7') && !is_selected, "{open} {keys}: {line}");
+        }
+    }
+    // what was typed and refused is not taken for a proposal
+    let mut screen = in_prompt("Bt600 kg<Enter>");
+    let (line, _) = prompt(screen.keys("m"));
+    assert!(line.contains("600 kgm"), "{line}");
+}
+
+#[test]
+fn between_two_lines_the_one_with_the_cursor_is_selected() {
+    let mut screen = in_prompt("eSsoft<Tab>a note<Tab>hard");
+    assert_eq!(typed(&screen), "hard");
+    screen.keys("<Tab>b");
+    let text = screen.text();
+    assert!(text.contains("[hard") && text.contains("note [b "), "{text}");
 }

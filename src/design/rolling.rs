@@ -122,6 +122,20 @@ impl BearingModel {
         };
         mean_load.is_some()
     }
+
+    /// Where the mean state comes from, in a word: `torque`, `preload` or `given` as a displacement; nothing where no load counts.
+    pub fn loaded_by(&self) -> Option<&'static str> {
+        let state = match self {
+            Self::Ball(ball) => ball.mean_state(),
+            Self::Roller(roller) => roller.mean_state(),
+            _ => None,
+        };
+        state.map(|state| match state {
+            MeanState::FromTorque(_) => "torque",
+            MeanState::Preload(_) => "preload",
+            MeanState::Displacement(_) => "given",
+        })
+    }
 }
 
 impl Design {

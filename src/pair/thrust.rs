@@ -29,7 +29,7 @@ impl PairFigures {
             return "no thrust on either shaft".into();
         }
         let along = ["not at all", "along -y", "along +y"];
-        let unknown = if self.kind.is_some() { "" } else { "; into mesh or out of it: gear data would say" };
+        let unknown = if self.kind.is_some() { "" } else { "; into mesh or out of it? add [mesh.geometry] for that" };
         format!("thrust pushes the pinion {}, the gear {}{unknown}", is(pinion, along), is(gear, along))
     }
 

@@ -116,8 +116,14 @@ impl App {
             Purpose::Duplicate => self.free_name(&row.path, &stem),
         };
         let path = row.path.clone();
-        self.form =
-            Some(Form { purpose, path, field: TextField::new(name), refused: None, pending: false, is_touched: false });
+        self.form = Some(Form {
+            purpose,
+            path,
+            field: TextField::proposed(name),
+            refused: None,
+            pending: false,
+            is_touched: false,
+        });
         self.open(Mode::Name);
     }
 

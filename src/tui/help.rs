@@ -1,6 +1,6 @@
 //! The help as lines, and what is searched for in it. All of it is made from the actions and the keys in force.
 
-use super::action::{ACTIONS, About, Category};
+use super::action::{ACTIONS, About, Action, Category};
 use super::app::App;
 use super::keymap::{self, Mode};
 use super::text_field::TextField;
@@ -160,13 +160,18 @@ impl App {
         let here = self.below.iter().rev().find(|mode| !is_help(mode)).copied().unwrap_or(self.mode);
         let ascii = self.theme.glyphs.ascii;
         let entry = |about: &About, keys: String| HelpLine::Entry { keys, text: about.doc.into(), name: about.name };
-        let here_in = |category: Category| {
-            let about =
-                ACTIONS.iter().filter(|about| about.category == category && keymap::is_known(here, about.action));
-            about.map(|about| entry(about, self.keys_here(about, here))).collect()
+        let known: Vec<&About> = ACTIONS.iter().filter(|about| keymap::is_known(here, about.action)).collect();
+        let here_in = |category: Option<Category>| {
+            let is_in =
+                |about: &About| if is_own(here, about) { category.is_none() } else { category == Some(about.category) };
+            let entry_here = |about: &About| {
+                let (keys, text) = (self.keys_here(about, here), doc_in(here, about).into());
+                HelpLine::Entry { keys, text, name: about.name }
+            };
+            known.iter().filter(|about| is_in(about)).map(|about| entry_here(about)).collect()
         };
-        let mut sections: Vec<_> =
-            Category::ALL.into_iter().map(|category| (category.title(), here_in(category))).collect();
+        let mut sections: Vec<_> = vec![(here.place(), here_in(None))];
+        sections.extend(Category::ALL.into_iter().map(|category| (category.title(), here_in(Some(category)))));
         for &mode in keyed.iter().chain(typed).filter(|mode| **mode != here) {
             let elsewhere = ACTIONS.iter().filter_map(|about| {
                 let keys = self.keys.of(mode, about.action, ascii);
@@ -184,6 +189,28 @@ impl App {
     fn keys_here(&self, about: &About, mode: Mode) -> String {
         let keys = self.keys.of(mode, about.action, self.theme.glyphs.ascii);
         if keys.is_empty() { format!(":{}", about.name) } else { keys.join(" ") }
+    }
+}
+
+/// Whether an action is of this place and at most one more, or means something of its own there.
+fn is_own(here: Mode, about: &About) -> bool {
+    const FEW: usize = 2;
+    let places = Mode::ALL.into_iter().filter(|mode| keymap::is_known(*mode, about.action)).count();
+    places <= FEW || doc_in(here, about) != about.doc
+}
+
+/// What an action does in a place.
+fn doc_in(here: Mode, about: &About) -> &'static str {
+    match (here, about.action) {
+        (Mode::Spectra, Action::MoveLeft) => "the cursor a column to the left",
+        (Mode::Spectra, Action::MoveRight) => "the cursor a column to the right",
+        (Mode::Spectra, Action::First) => "the cursor to the lowest frequency",
+        (Mode::Spectra, Action::Last) => "the cursor to the highest frequency",
+        (Mode::Spectra, Action::MoveUp) => "the band before, or the peak where peaks are listed",
+        (Mode::Spectra, Action::MoveDown) => "the next band, or the next peak where peaks are listed",
+        (Mode::Spectra, Action::PageUp) => "a window to the left",
+        (Mode::Spectra, Action::PageDown) => "a window to the right",
+        _ => about.doc,
     }
 }
 

@@ -69,7 +69,7 @@ impl App {
             | Action::OpenSpectra
             | Action::BearingLoads => selected.is_some(),
             Action::NextDirection => self.spectra.as_ref().is_some_and(|view| view.quantity.has_parts()),
-            Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_at().is_some()),
+            Action::Why => self.spectra.as_ref().is_some_and(|view| view.band_under().is_some()),
             Action::SortColumn | Action::SortDirection | Action::ShowDesign => self.library.matches() > 0,
             // in the tables there is more to say
             Action::Overview => self.editors.open().is_none(),

@@ -10,13 +10,38 @@ pub struct TextField {
     text: String,
     /// Bytes before the cursor.
     cursor: usize,
+    /// The whole text is selected: what is typed first takes its place.
+    is_selected: bool,
 }
 
 impl TextField {
     /// The text, with the cursor at its end.
     pub fn new(text: impl Into<String>) -> Self {
         let text = text.into();
-        Self { cursor: text.len(), text }
+        Self { cursor: text.len(), text, is_selected: false }
+    }
+
+    /// A text that is proposed: what is typed or pasted first takes its place; any other edit keeps it.
+    pub fn proposed(text: impl Into<String>) -> Self {
+        let mut field = Self::new(text);
+        field.select();
+        field
+    }
+
+    /// Selects the whole text, with the cursor at its end.
+    pub fn select(&mut self) {
+        self.end();
+        self.is_selected = !self.text.is_empty();
+    }
+
+    /// Takes the selection back; the text stays.
+    pub fn deselect(&mut self) {
+        self.is_selected = false;
+    }
+
+    /// Whether what is typed next takes the place of the text.
+    pub fn is_selected(&self) -> bool {
+        self.is_selected
     }
 
     pub fn text(&self) -> &str {
@@ -27,9 +52,14 @@ impl TextField {
         self.text.is_empty()
     }
 
-    /// Puts text in at the cursor: what of it is one line, and no control character.
+    /// Puts text in at the cursor, or in place of what is selected: what of it is one line, and no control character.
     pub fn insert(&mut self, text: &str) {
         let line: String = text.chars().take_while(|letter| !letter.is_control()).collect();
+        if self.is_selected && !line.is_empty() {
+            self.text.clear();
+            self.cursor = 0;
+        }
+        self.deselect();
         self.text.insert_str(self.cursor, &line);
         self.cursor += line.len();
     }
@@ -50,23 +80,28 @@ impl TextField {
     }
 
     pub fn left(&mut self) {
+        self.deselect();
         self.cursor -= self.before().chars().next_back().map_or(0, char::len_utf8);
     }
 
     pub fn right(&mut self) {
+        self.deselect();
         self.cursor += self.after().chars().next().map_or(0, char::len_utf8);
     }
 
     pub fn start(&mut self) {
+        self.deselect();
         self.cursor = 0;
     }
 
     pub fn end(&mut self) {
+        self.deselect();
         self.cursor = self.text.len();
     }
 
     /// Takes out the letter before the cursor.
     pub fn delete_before(&mut self) {
+        self.deselect();
         let end = self.cursor;
         self.left();
         self.text.drain(self.cursor..end);
@@ -74,18 +109,21 @@ impl TextField {
 
     /// Takes out the letter at the cursor.
     pub fn delete_after(&mut self) {
+        self.deselect();
         let length = self.after().chars().next().map_or(0, char::len_utf8);
         self.text.drain(self.cursor..self.cursor + length);
     }
 
     /// Takes out everything before the cursor.
     pub fn delete_to_start(&mut self) {
+        self.deselect();
         self.text.drain(..self.cursor);
         self.cursor = 0;
     }
 
     /// Takes out the word before the cursor, and the blanks between.
     pub fn delete_word(&mut self) {
+        self.deselect();
         let word = self.before().trim_end();
         let start = word.rfind(' ').map_or(0, |space| space + 1);
         self.text.drain(start..self.cursor);
@@ -144,6 +182,42 @@ mod tests {
         field.delete_before();
         field.delete_after();
         assert!(field.is_empty());
+    }
+
+    #[test]
+    fn what_is_typed_first_takes_the_place_of_a_proposal() {
+        let mut field = TextField::proposed("300.0");
+        field.insert("\n");
+        assert_eq!(field.text(), "300.0");
+        let mut field = TextField::proposed("300.0");
+        assert!(field.is_selected());
+        field.insert("6");
+        field.insert("00");
+        assert_eq!((field.text(), field.is_selected()), ("600", false));
+        field.select();
+        field.insert("1,5 kN m");
+        assert_eq!(field.text(), "1,5 kN m");
+        assert!(!TextField::proposed("").is_selected());
+    }
+
+    #[test]
+    fn any_other_edit_keeps_a_proposal() {
+        let edits: [(fn(&mut TextField), &str); 8] = [
+            (TextField::left, "300.1-0"),
+            (TextField::right, "300.01-"),
+            (TextField::start, "1-300.0"),
+            (TextField::end, "300.01-"),
+            (TextField::delete_before, "300.1-"),
+            (TextField::delete_after, "300.01-"),
+            (TextField::delete_word, "1-"),
+            (TextField::delete_to_start, "1-"),
+        ];
+        for (edit, text) in edits {
+            let mut field = TextField::proposed("300.0");
+            edit(&mut field);
+            field.insert("1-");
+            assert_eq!(field.text(), text);
+        }
     }
 
     #[test]

@@ -35,8 +35,9 @@ fn render(app: &mut App, frame: &mut Frame) {
         _ if app.editors.open().is_some() => editor::render(app, frame),
         _ => explorer::render(app, frame),
     };
-    // the form is a screen that is typed into
-    let covered = !app.below.is_empty() && app.mode != Mode::New;
+    // the form is a screen that is typed into; a number is typed in the last line of its screen
+    let is_of_screen = matches!(app.mode, Mode::New | Mode::Torque | Mode::Frequency);
+    let covered = !app.below.is_empty() && !is_of_screen;
     let over = overlays::render(app, body(area), frame.buffer_mut());
     if let Some(cursor) = over.or(cursor.filter(|_| !covered)) {
         frame.set_cursor_position(cursor);

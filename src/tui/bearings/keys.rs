@@ -39,7 +39,7 @@ impl App {
             Action::TypeTorque => {
                 let design = self.editors.open().and_then(|editing| editing.last_design.as_ref());
                 let now = design.and_then(|design| torque(design));
-                let field = TextField::new(now.map_or(String::new(), |torque| format!("{torque:?}")));
+                let field = TextField::proposed(now.map_or(String::new(), |torque| format!("{torque:?}")));
                 self.bearings.as_mut()?.field = field;
                 self.open(Mode::Torque);
             }
@@ -203,6 +203,12 @@ fn place_of(editing: &Editing, cursor: usize) -> Option<(Side, usize)> {
 fn say_torque(editing: &mut Editing) {
     let torque = editing.design.as_ref().and_then(|design| torque(design));
     let now = torque.map_or("no torque".into(), |torque| format!("torque {} N m", shown_torque(torque)));
-    let without = if follows_torque(editing) { "" } else { ": no bearing follows it, and neither do the spectra" };
+    let without = if torque.is_some_and(|torque| torque < 0.0) {
+        ", its sign does not count"
+    } else if follows_torque(editing) {
+        ""
+    } else {
+        ": no bearing follows it, and neither do the spectra"
+    };
     editing.say(format!("{now}{without}"));
 }

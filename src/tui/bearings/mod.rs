@@ -3,10 +3,12 @@
 //! The screen lies over the tables of the design: all edits are theirs, and so is the solution that is shown.
 
 mod keys;
+mod since_saved;
 mod states;
 mod text;
 mod torque;
 
+pub use since_saved::since_saved;
 pub use states::{BearingStates, SideStates, displacement, load, resultant};
 pub use torque::{shown_torque, stepped, torque};
 

@@ -7,7 +7,11 @@ use nalgebra::Vector6;
 use crate::bearing::frames;
 use crate::design::Side;
 use crate::model::Rotors;
+use crate::number::without_rounding;
 use crate::rotor::{Rolling, Support};
+
+/// About the radius of a ring, m: holds tilts against displacements.
+const RING: f64 = 0.01;
 
 /// All bearings of a solved design.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,12 +40,18 @@ impl BearingStates {
 
 /// Mean load of a bearing on its inner ring; order x, y, z, thx, thy, thz, N and N m.
 pub fn load(rolling: &Rolling) -> Vector6<f64> {
-    frames::to_station(&rolling.state.load)
+    let load = frames::to_station(&rolling.state.load);
+    let largest = resultant(&load).max(rolling.state.greatest_load());
+    // moments: at an arm of a metre
+    load.map(|value| without_rounding(value, largest))
 }
 
 /// Mean displacement of the inner ring in the same order; m and rad.
 pub fn displacement(rolling: &Rolling) -> Vector6<f64> {
-    frames::to_station(&rolling.state.displacement)
+    let moved = frames::to_station(&rolling.state.displacement);
+    let (across, about) = (moved.fixed_rows::<3>(0).norm(), moved.fixed_rows::<3>(3).norm());
+    let largest = across.max(about * RING);
+    Vector6::from_fn(|i, _| without_rounding(moved[i], if i < 3 { largest } else { largest / RING }))
 }
 
 /// Size of the force of a load, N.

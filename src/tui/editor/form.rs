@@ -16,13 +16,20 @@ pub struct Form {
 impl Form {
     /// A name to begin with.
     pub fn new(name: String) -> Self {
-        Self { name: TextField::new(name), note: TextField::default(), on_note: false, error: None }
+        Self { name: TextField::proposed(name), note: TextField::default(), on_note: false, error: None }
     }
 
     /// The line that is typed into.
     pub fn line(&mut self) -> &mut TextField {
         self.error = None;
         if self.on_note { &mut self.note } else { &mut self.name }
+    }
+
+    /// Goes to the other line, whose text is selected.
+    pub fn switch(&mut self) {
+        self.line().deselect();
+        self.on_note = !self.on_note;
+        self.line().select();
     }
 
     /// The name, or what is wrong with it.

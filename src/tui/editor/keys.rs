@@ -177,7 +177,7 @@ fn act_on_line(editing: &mut Editing, action: Action) {
 
 pub(super) fn act_on_form(editing: &mut Editing, action: Action) {
     match &mut editing.layer {
-        Some(Layer::Form(form)) if action == Action::NextField => form.on_note = !form.on_note,
+        Some(Layer::Form(form)) if action == Action::NextField => form.switch(),
         _ => act_on_line(editing, action),
     }
 }

@@ -29,7 +29,7 @@ impl App {
         };
         let letter = |letter: char| if letter.is_alphanumeric() || "-_.".contains(letter) { letter } else { '-' };
         let name: String = name.chars().map(letter).collect();
-        self.export = Some(ExportForm { field: TextField::new(name), refused: None, pending: false, shown });
+        self.export = Some(ExportForm { field: TextField::proposed(name), refused: None, pending: false, shown });
         self.open(Mode::Export);
     }
 

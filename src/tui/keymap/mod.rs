@@ -24,8 +24,7 @@ pub struct Binding {
 }
 
 /// Actions that have no key of their own, and where they can be used all the same.
-const WITHOUT_KEY: &[(Action, &[Mode])] =
-    &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS), (Action::ExportShown, OPENED)];
+const WITHOUT_KEY: &[(Action, &[Mode])] = &[(Action::ToggleBackground, COMMANDS), (Action::CopyPath, COMMANDS)];
 
 const fn key(modes: &'static [Mode], code: KeyCode, action: Action) -> Binding {
     Binding { modes, code, control: false, action }
@@ -221,6 +220,7 @@ pub const BINDINGS: &[Binding] = &[
     key(&[Mode::Why], KeyCode::Enter, Action::Back),
     letter(WRITTEN, 'e', Action::ExportShown),
     letter(WRITTEN, 'E', Action::ExportShown),
+    letter(OPENED, 'E', Action::ExportShown),
     letter(OPENED, 'B', Action::BearingLoads),
     letter(BEARINGS, 'B', Action::Back),
     letter(BEARINGS, '+', Action::MoreTorque),

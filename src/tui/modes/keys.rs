@@ -31,7 +31,7 @@ impl App {
             }
             (Action::TypeFrequency, _) => {
                 let view = self.modes.as_mut().filter(|view| view.study().is_some())?;
-                view.field = TextField::new(view.deflection_hz.map_or(String::new(), |hz| significant(hz, 6)));
+                view.field = TextField::proposed(view.deflection_hz.map_or(String::new(), |hz| significant(hz, 6)));
                 self.open(Mode::Frequency);
             }
             (Action::Deflection, _) => {

@@ -36,6 +36,7 @@ impl App {
             }
             _ => return None,
         }
+        self.name_new();
         Some(Vec::new())
     }
 

@@ -149,11 +149,13 @@ impl NewDesign {
             }
         }
         match Proposal::new(&self.wishes) {
-            Ok(proposal) => {
-                if let Some(design) = read(&proposal.text(&proposal.title())).design {
-                    self.proposal = Some((proposal, Box::new(design)));
-                }
-            }
+            Ok(proposal) => match read(&proposal.text(&proposal.title())).design {
+                Some(design) => self.proposal = Some((proposal, Box::new(design))),
+                None => self.refusals.push(Refusal {
+                    field: Field::Kind,
+                    message: "these answers together make no design that can be read".into(),
+                }),
+            },
             Err(refusal) => self.refusals.push(refusal),
         }
         self.cursor = self.cursor.min(self.rows().len().saturating_sub(1));
@@ -163,6 +165,11 @@ impl NewDesign {
     fn text(&self) -> Option<String> {
         let (proposal, _) = self.proposal.as_ref().filter(|_| self.refusals.is_empty())?;
         Some(proposal.text(&proposal.title()))
+    }
+
+    /// Whether an answer is refused, so that what follows is still that of the answers before.
+    pub fn is_stale(&self) -> bool {
+        !self.refusals.is_empty()
     }
 
     /// Sizes that follow, for reading.

@@ -26,6 +26,18 @@ impl EstimateForm {
         Self { width: TextField::default(), angle: TextField::new(angle), on_angle: false }
     }
 
+    /// Goes to the other value, whose text is selected.
+    pub(super) fn switch(&mut self) {
+        self.line().deselect();
+        self.on_angle = !self.on_angle;
+        self.line().select();
+    }
+
+    /// The value that is typed into.
+    fn line(&mut self) -> &mut TextField {
+        if self.on_angle { &mut self.angle } else { &mut self.width }
+    }
+
     /// The estimate, or what is still wanted for it.
     ///
     /// # Errors
@@ -54,7 +66,7 @@ impl App {
 
     pub(in crate::tui) fn edit_face_width(&mut self, edit: impl FnOnce(&mut TextField)) {
         if let Some(form) = self.pair.as_mut().and_then(|view| view.estimate.as_mut()) {
-            edit(if form.on_angle { &mut form.angle } else { &mut form.width });
+            edit(form.line());
         }
     }
 
@@ -65,7 +77,13 @@ impl App {
         match result {
             Ok(estimate) => {
                 self.close_pair_form();
-                estimate.edit().map_or(Vec::new(), |edit| self.edit_pair(&edit))
+                let design = self.editors.open().and_then(|editing| editing.last_design.as_ref());
+                let before = design.map_or(f64::NAN, |design| design.mesh.stiffness);
+                let effects = estimate.edit().map_or(Vec::new(), |edit| self.edit_pair(&edit));
+                if self.has_done() {
+                    self.say(format!("mesh stiffness {before:e} -> {} N/m (estimate)", estimate.written()));
+                }
+                effects
             }
             Err(error) => {
                 self.complain(error);

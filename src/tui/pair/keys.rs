@@ -2,6 +2,7 @@
 
 use super::PairView;
 use crate::design::{Edit, KeyPath, Spelled, Turns};
+use crate::number::significant;
 use crate::text::printable;
 use crate::tui::action::Action;
 use crate::tui::app::App;
@@ -21,8 +22,7 @@ impl App {
             (Action::Accept, Mode::MeshImport) => return Some(self.accept_import()),
             (Action::OtherFlank, _) => self.other_flank(),
             (Action::OtherValue, _) => {
-                let form = self.pair.as_mut()?.estimate.as_mut()?;
-                form.on_angle = !form.on_angle;
+                self.pair.as_mut()?.estimate.as_mut()?.switch();
             }
             (Action::FlipFlank, Mode::Pair) => return Some(self.flip_flank()),
             (Action::EstimateStiffness, Mode::Pair) => self.open_estimate(),
@@ -88,6 +88,11 @@ impl App {
         self.after_edit()
     }
 
+    /// Whether the last edit was made.
+    pub(super) fn has_done(&self) -> bool {
+        self.notice.as_ref().is_some_and(|notice| notice.text.starts_with("done: "))
+    }
+
     fn step_in_pair(&mut self, step: fn(&mut Editing)) -> Vec<Effect> {
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
         step(editing);
@@ -109,6 +114,11 @@ impl App {
             Turns::Negative => "positive",
         };
         let path = KeyPath::root().key("mesh").key("geometry").key("pinion_turns");
-        self.edit_pair(&Edit::Set { path, value: Spelled::text(word) })
+        let effects = self.edit_pair(&Edit::Set { path, value: Spelled::text(word) });
+        let angle = significant(geometry.pressure_angle.to_degrees(), 3);
+        if self.has_done() {
+            self.say(format!("other flank; pressure angle as written, {angle} deg: write its own if it differs"));
+        }
+        effects
     }
 }

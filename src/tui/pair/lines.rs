@@ -45,6 +45,9 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
             Line::Single(format!("no torque written: forces at 1 N m, normal {} N", significant(force, 5)))
         }
     });
+    if figures.torque.is_some_and(|torque| torque < 0.0) {
+        lines.push(Line::Note("the sign of the torque does not count: pinion_turns chooses the flank".into()));
+    }
     lines.push(Line::Both("torque arm", both(&|shaft| signed(shaft.torque_arm * 1e3, 5)), "mm"));
     lines.push(match &figures.arms {
         Some(arms) => {
@@ -88,7 +91,8 @@ pub fn lines(shown: &Shown) -> Vec<Line> {
         };
         lines.push(Line::Single(format!("{hand} pinion, turns {turns} about y")));
         let angle = significant(geometry.pressure_angle.to_degrees(), 5);
-        lines.push(Line::Single(format!("pressure angle {angle} deg, this flank")));
+        lines.push(Line::Single(format!("pressure angle {angle} deg as written")));
+        lines.push(Line::Note("that of this flank: write the other flank's after flipping if it differs".into()));
     }
     lines
 }

@@ -26,7 +26,7 @@ use crate::text::{cut, printable, wrap};
 use crate::tui::action::Action;
 use crate::tui::app::App;
 use crate::tui::bearings::{
-    BearingRow, BearingsView, Pane, failure, follows_torque, is_stale, rows, shown_torque, torque,
+    BearingRow, BearingsView, Pane, failure, follows_torque, is_stale, rows, shown_torque, since_saved, torque,
 };
 use crate::tui::editor::Editing;
 use crate::tui::keymap::Mode;
@@ -40,6 +40,9 @@ const TWO_PANES: u16 = 76;
 /// The least rows of numbers above spectra.
 const NUMBERS: u16 = bearing_state::HEIGHT + 4;
 const SPECTRA: u16 = 9;
+
+/// Of a negative torque.
+const NO_SIGN: &str = "the sign of the torque does not count: pinion_turns chooses the flank";
 
 /// Draws the screen over the whole frame; returns where the cursor stands, if the torque is typed.
 pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
@@ -70,6 +73,9 @@ fn render_body(
 ) {
     let count = rows(editing).len() as u16;
     let most = area.height.saturating_sub(12).min(area.height / 2).max(4);
+    // a spectrum can be low, numbers cannot
+    let least = if view.pane == Pane::Spectra { area.height.saturating_sub(6).min(7) } else { 0 };
+    let most = most.max(least);
     let upper = Rect { height: (count.saturating_add(3)).clamp(4, most), ..area };
     let inner = panel::frame(upper, buffer, &title(editing), true, theme);
     bearing_table::render(view, &rows(editing), failure(editing), theme, inner, buffer);
@@ -115,7 +121,17 @@ fn title(editing: &Editing) -> Title<'static> {
         Some(torque) => format!("{} N m", shown_torque(torque)),
         None => "no torque".into(),
     };
-    let Some(now) = editing.last_design.as_ref().map(|design| shown(design)) else { return Title::left("Bearings") };
+    let Some(design) = &editing.last_design else { return Title::left("Bearings") };
+    if !design.follows_torque() {
+        let is_any = |word| rows(editing).iter().any(|row| row.bearing.model.loaded_by() == Some(word));
+        let what = match (is_any("preload"), is_any("given")) {
+            (true, _) => ": loads by preload, not by the torque",
+            (false, true) => ": rings displaced as given, no load by the torque",
+            (false, false) => ": no load counts",
+        };
+        return Title { left: vec![format!("{stale}Bearings{what}"), format!("{stale}Bearings")], right: Vec::new() };
+    }
+    let now = shown(design);
     let saved = editing.solving.ghost.as_ref().map(|ghost| shown(&ghost.design)).filter(|saved| *saved != now);
     let saved = saved.map_or(String::new(), |saved| format!(" (saved: {saved})"));
     let short = format!("{stale}Bearings at {now}{saved}");
@@ -136,7 +152,11 @@ fn render_state(editing: &Editing, view: &BearingsView, theme: &Theme, area: Rec
     let rows = rows(editing);
     let Some(row) = selected(&rows, view) else { return };
     let stale = if is_stale(editing) { "stale: " } else { "" };
-    let name = format!("{stale}{}: {}", name(row), row.bearing.model.word());
+    let by = match row.bearing.model.loaded_by() {
+        Some("given") => ", displacement given".into(),
+        by => by.map_or(String::new(), |by| format!(", load by {by}")),
+    };
+    let name = format!("{stale}{}: {}{by}", name(row), row.bearing.model.word());
     let inner = panel::frame(area, buffer, &Title::left(name), false, theme);
     bearing_state::render(row, theme, inner, buffer);
     let design = editing.last_design.as_ref();
@@ -191,14 +211,21 @@ fn render_message(
     let broken = theme.glyphs.broken;
     let rows = rows(editing);
     let warning = selected(&rows, view).and_then(|row| row.rolling?.state.warnings.first());
+    let changed = selected(&rows, view).and_then(|row| since_saved(editing, row));
     let (text, style) = match (&editing.notice, failure(editing)) {
         (Some(notice), _) if notice.is_error => (format!("{broken} {}", notice.text), theme.error),
-        (Some(notice), _) => (notice.text.clone(), theme.title),
+        (Some(notice), _) => match changed {
+            Some(changed) => (format!("{}: {changed}", notice.text), theme.title),
+            None => (notice.text.clone(), theme.title),
+        },
         (None, Some(reason)) => (format!("{broken} cannot be solved: {reason}"), theme.error),
         (None, None) if warning.is_some() => {
             (format!("! {}", warning.map_or(String::new(), ToString::to_string)), theme.warning)
         }
-        (None, None) => (about_torque(editing, keys), theme.faint),
+        (None, None) => match changed {
+            Some(changed) => (format!("since saved: {changed}"), theme.fe),
+            None => (about_torque(editing, keys), theme.faint),
+        },
     };
     let width = usize::from(area.width).saturating_sub(2);
     let text = cut(&printable(&text), width, theme.glyphs.ellipsis);
@@ -208,6 +235,9 @@ fn render_message(
 fn about_torque(editing: &Editing, keys: &KeyNames<'_>) -> String {
     if !follows_torque(editing) {
         return "no bearing here follows the torque: the spectra do not depend on it".into();
+    }
+    if editing.last_design.as_ref().and_then(|design| torque(design)).is_some_and(|torque| torque < 0.0) {
+        return NO_SIGN.into();
     }
     let [more, less, type_it] =
         [Action::MoreTorque, Action::LessTorque, Action::TypeTorque].map(|action| keys.of(action));

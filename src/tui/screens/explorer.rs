@@ -90,7 +90,12 @@ fn render_right(app: &mut App, area: Rect, buffer: &mut Buffer) {
 fn render_spectra(app: &mut App, area: Rect, buffer: &mut Buffer) {
     let theme = app.theme;
     let Some(Outcome::Solved { picture, summary, .. }) = &mut app.detail.outcome else { return };
-    let inner = panel::frame(area, buffer, &spectrum::title(&theme, area.width), false, &theme);
+    let mut title = spectrum::title(&theme, area.width);
+    if app.library.selected().is_some_and(|row| row.unsaved) {
+        title.left = title.left.into_iter().map(|text| format!("saved: {text}")).collect();
+        title.left.push("saved".into());
+    }
+    let inner = panel::frame(area, buffer, &title, false, &theme);
     let warnings: Vec<&str> = app.library.selected().into_iter().flat_map(Row::warnings).collect();
     let warned = warning_lines(&warnings, usize::from(inner.width.saturating_sub(2)), theme.glyphs.ellipsis);
     let below = Rect { y: inner.bottom() - warned.len() as u16, height: warned.len() as u16, ..inner };

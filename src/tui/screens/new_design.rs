@@ -63,7 +63,9 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
 fn title(form: &NewDesign, width: u16) -> Title<'static> {
     let place = form.scroll.position().map_or(String::new(), |position| format!(", {position}"));
     let named = format!("New design{place}");
-    let hint = format!("{named}: what is faint follows from the rest");
+    let what =
+        if form.is_stale() { "stale: what is faint is from before" } else { "what is faint follows from the rest" };
+    let hint = format!("{named}: {what}");
     Title {
         left: if usize::from(width) > hint.width() + 4 { vec![hint, named] } else { vec![named] },
         right: Vec::new(),
@@ -125,14 +127,15 @@ fn render_typed(form: &NewDesign, row: Row, theme: &Theme, place: Rect, buffer: 
 }
 
 fn render_right(form: &NewDesign, theme: &Theme, area: Rect, buffer: &mut Buffer) {
-    let inner = panel::frame(area, buffer, &Title::left("Side view"), false, theme);
+    let stale = if form.is_stale() { "stale: " } else { "" };
+    let inner = panel::frame(area, buffer, &Title::left(format!("{stale}Side view")), false, theme);
     let facts = form.facts();
     let below = (facts.len() as u16 + 1).min(inner.height * 3 / 5);
     let picture = Rect { height: inner.height - below, ..inner };
     if let Some((_, design)) = &form.proposal {
         side_view::render(design, theme, picture, buffer);
     }
-    panel::divider(area, buffer, picture.bottom(), &Title::left("What follows"), theme);
+    panel::divider(area, buffer, picture.bottom(), &Title::left(format!("{stale}What follows")), theme);
     for ((label, value), y) in facts.iter().zip(picture.bottom() + 1..inner.bottom()) {
         buffer.set_stringn(inner.x + 1, y, format!("{label:<15}"), 15, theme.faint);
         let room = usize::from(inner.width.saturating_sub(17));

@@ -20,23 +20,25 @@ use ratatui::text::{Line, Span};
 
 use crate::model::ModelKind;
 use crate::number::grouped;
-use crate::text::{printable, wrap};
+use crate::text::{cut, printable, wrap};
+use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::keymap::Mode;
 use crate::tui::spectra::{Listed, Lower, Quantity, SpectraView};
 use crate::tui::theme::Theme;
 use crate::tui::widgets::panel::{self, Title};
-use crate::tui::widgets::plot::curve_width;
+use crate::tui::widgets::plot::{GUTTER, curve_width};
 use crate::tui::widgets::{figures, findings_list, footer, header, wide_plot};
 
-/// From here on the list stands at the side.
-const WIDE: u16 = 116;
-const SIDE: u16 = 52;
-/// From here on it has more room.
-const VERY_WIDE: u16 = 140;
-const WIDE_SIDE: u16 = 70;
+/// From here on the list stands at the side, and no name in it is cut.
+const WIDE: u16 = 190;
+const SIDE: u16 = 96;
 /// Rows inside the frame from which on there is room for a list below.
 const HIGH: u16 = 16;
 const LIST_ROWS: u16 = 5;
+/// Rows from which on the list has more.
+const VERY_HIGH: u16 = 30;
+const MORE_LIST_ROWS: u16 = 9;
 
 /// Draws the screen over the whole frame.
 pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
@@ -44,6 +46,8 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
     let buffer = frame.buffer_mut();
     let row = |y: u16, height: u16| Rect { y: area.y + y, height, ..area };
     let theme = app.theme;
+    let keys = app.keys.names(Mode::Spectra, theme.glyphs.ascii);
+    let shows = [Action::ShowFe, Action::ShowEnhanced, Action::ShowBasic].map(|action| keys.of(action)).join(" ");
     if let Some(view) = &mut app.spectra {
         header::render_named(&printable(&view.name), &theme, row(0, 1), buffer);
         let body = super::body(area);
@@ -53,21 +57,20 @@ pub fn render(app: &mut App, frame: &mut Frame) -> Option<Position> {
             let inner = panel::frame(body, buffer, &findings_list::title(view, &theme), true, &theme);
             findings_list::render(view, &theme, inner, buffer);
         } else if is_listed && area.width >= WIDE {
-            let side = if area.width >= VERY_WIDE { WIDE_SIDE } else { SIDE };
-            let plots = Rect { width: body.width - side, ..body };
-            let list = Rect { x: plots.right(), width: side, ..body };
-            render_plots(view, false, &theme, plots, buffer);
+            let plots = Rect { width: body.width - SIDE, ..body };
+            let list = Rect { x: plots.right(), width: SIDE, ..body };
+            render_plots(view, false, &shows, &theme, plots, buffer);
             let inner = panel::frame(list, buffer, &findings_list::title(view, &theme), false, &theme);
             findings_list::render(view, &theme, inner, buffer);
         } else {
-            render_plots(view, is_listed, &theme, body, buffer);
+            render_plots(view, is_listed, &shows, &theme, body, buffer);
         }
         render_readout(view, &theme, row(area.height - 1 - figures::HEIGHT, figures::HEIGHT), buffer);
     }
     footer::render(app, row(area.height - 1, 1), buffer)
 }
 
-fn render_plots(view: &mut SpectraView, is_listed: bool, theme: &Theme, area: Rect, buffer: &mut Buffer) {
+fn render_plots(view: &mut SpectraView, is_listed: bool, shows: &str, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     let inner = panel::frame(area, buffer, &title(view, theme), true, theme);
     if view.known.models.is_empty() || view.lines().is_empty() {
         let text = match &view.failure {
@@ -81,7 +84,12 @@ fn render_plots(view: &mut SpectraView, is_listed: bool, theme: &Theme, area: Re
         }
         return;
     }
-    let list = if is_listed && inner.height >= HIGH { LIST_ROWS + 1 } else { 0 };
+    let list = match inner.height {
+        _ if !is_listed => 0,
+        VERY_HIGH.. => MORE_LIST_ROWS + 1,
+        HIGH.. => LIST_ROWS + 1,
+        _ => 0,
+    };
     let plots = inner.height.saturating_sub(list);
     let lower = (plots * 3 / 10).clamp(3, 10) + 1;
     let upper = plots.saturating_sub(lower);
@@ -91,6 +99,17 @@ fn render_plots(view: &mut SpectraView, is_listed: bool, theme: &Theme, area: Re
         return;
     }
     wide_plot::render_upper(view, theme, rows(0, upper), buffer);
+    if view.shown_kinds().next().is_none() {
+        let text = format!("all models are hidden: {shows} show them");
+        let width = usize::from(inner.width.saturating_sub(GUTTER + 2));
+        buffer.set_stringn(
+            inner.x + GUTTER + 1,
+            inner.y + 1,
+            cut(&text, width, theme.glyphs.ellipsis),
+            width,
+            theme.warning,
+        );
+    }
     panel::divider(area, buffer, inner.y + upper, &lower_title(view, theme), theme);
     wide_plot::render_lower(view, theme, rows(upper + 1, lower - 1), buffer);
     if list > 0 {
@@ -142,7 +161,11 @@ fn lower_title(view: &SpectraView, theme: &Theme) -> Title<'static> {
             vec![format!("{name}, {}", unit(view, beside, theme))]
         }
         Lower::SixthOctaves => {
-            vec!["Sixth-octave levels, dB: the trust limit is by these".into(), "Sixth-octave levels, dB".into()]
+            let limit = view.limit().map_or(Vec::new(), |limit| {
+                let [long, short] = limit;
+                vec![format!("Sixth octaves, dB; {long}"), format!("Sixth octaves, dB; {short}")]
+            });
+            limit.into_iter().chain(["Sixth-octave levels, dB".into()]).collect()
         }
     };
     let recovered = |kind: &ModelKind| matches!(kind, ModelKind::Enhanced | ModelKind::Basic);
@@ -150,7 +173,9 @@ fn lower_title(view: &SpectraView, theme: &Theme) -> Title<'static> {
         left =
             left.iter().map(|text| format!("{text}; lumped: recovered by static shapes")).chain(left.clone()).collect();
     }
-    Title { left, right: Vec::new() }
+    // the legend of what stands on the axis above
+    let mesh = view.mesh_frequency().map(|(hz, _)| Span::styled(format!("1x: mesh {} Hz", grouped(hz)), theme.faint));
+    Title { left, right: mesh.into_iter().collect() }
 }
 
 /// Flows over the two rows; what happened to a model comes last.
@@ -169,7 +194,7 @@ fn render_readout(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Bu
         spans.push(Span::styled(format!("peak: {mode}"), theme.title));
     }
     if let Some((hz, rpm)) = view.mesh_frequency() {
-        spans.push(Span::styled(format!("mesh {} Hz at {} rpm: 1 2 3", grouped(hz), grouped(rpm)), theme.faint));
+        spans.push(Span::styled(format!("mesh {} Hz at {} rpm", grouped(hz), grouped(rpm)), theme.faint));
     }
     if let Some(error) = view.failure.as_ref().filter(|_| !view.known.models.is_empty()) {
         spans.push(Span::styled(printable(error).into_owned(), theme.error));

@@ -200,16 +200,16 @@ impl SpectraView {
     }
 
     /// The band that the cursor is in, or the one next to it.
-    pub fn band_at(&self) -> Option<usize> {
+    pub fn band_near(&self) -> Option<usize> {
         let hz = self.at_hz()?;
         let bands = &self.findings()?.bands;
         let distance = |band: &Band| (band.band.from_hz - hz).max(hz - band.band.to_hz).max(0.0);
         (0..bands.len()).min_by(|&a, &b| distance(&bands[a]).total_cmp(&distance(&bands[b])))
     }
 
-    /// The same, only if the cursor is in it.
+    /// The band that the cursor is in.
     pub fn band_under(&self) -> Option<usize> {
-        let (hz, at) = (self.at_hz()?, self.band_at()?);
+        let (hz, at) = (self.at_hz()?, self.band_near()?);
         let band = self.findings()?.bands[at].band;
         (band.from_hz..=band.to_hz).contains(&hz).then_some(at)
     }

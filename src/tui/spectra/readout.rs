@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::{Quantity, SpectraView};
+use crate::agreement::Tolerance;
 use crate::model::{ModelKind, pinion_speed_rpm};
 use crate::number::{grouped, significant};
 
@@ -79,7 +80,7 @@ fn frequency(hz: f64) -> String {
 impl SpectraView {
     /// What is said of the band at the cursor.
     pub fn why(&self) -> Vec<String> {
-        let Some((at, findings)) = self.band_at().zip(self.findings()) else { return Vec::new() };
+        let Some((at, findings)) = self.band_under().zip(self.findings()) else { return Vec::new() };
         let band = &findings.bands[at];
         let against = legend_name(findings.against);
         let place = format!(
@@ -101,6 +102,28 @@ impl SpectraView {
             lines.push("The modes are still being computed.".into());
         }
         lines
+    }
+}
+
+impl SpectraView {
+    /// What sets the trust limit: the first sixth-octave band that is off, such as `1,682 Hz: the band 1,682 to 1,888 Hz is 3.3 dB low`, and
+    /// the same in brief; nothing for other quantities than the mesh force, whose limit is shown everywhere.
+    pub fn limit(&self) -> Option<[String; 2]> {
+        let bands = |kind| self.curve(kind, Quantity::MeshForce).map(|curve| &curve.bands);
+        if self.quantity != Quantity::MeshForce {
+            return None;
+        }
+        let (fe, lumped) = (bands(ModelKind::Fe)?, bands(self.against())?);
+        let tolerance = Tolerance::default().band_level_db;
+        let off = |((low, high, lumped), (.., fe)): (&(f64, f64, f64), &(f64, f64, f64))| (*low, *high, lumped - fe);
+        let is_off = |difference: f64| difference.is_nan() || difference.abs() > tolerance;
+        let mut bands = lumped.iter().zip(fe).map(off).enumerate();
+        let (at, (low, high, difference)) = bands.find(|(_, (.., difference))| is_off(*difference))?;
+        let how = if difference > 0.0 { "high" } else { "low" };
+        let off = format!("{:.1} dB {how}", difference.abs());
+        let (low, high) = (grouped(low), grouped(high));
+        let limit = if at == 0 { "trusted nowhere".into() } else { format!("limit {low} Hz") };
+        Some([format!("{limit}: the band {low} to {high} Hz is {off}"), format!("{limit}: next band {off}")])
     }
 }
 

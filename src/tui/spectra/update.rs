@@ -81,9 +81,15 @@ impl App {
     }
 
     fn open_why(&mut self) {
+        let next = self.keys.names(Mode::Spectra, self.theme.glyphs.ascii).of(Action::NextBand);
         let Some(view) = &mut self.spectra else { return };
-        if view.band_at().is_none() {
-            return self.complain("no band of disagreement here");
+        if view.band_under().is_none() {
+            let why = match view.findings() {
+                Some(findings) if !findings.bands.is_empty() => format!("no band here: {next} goes to the next"),
+                Some(findings) => format!("no band: no line is off by more than {} dB", findings.tolerance),
+                None => "the bands are not known yet".into(),
+            };
+            return self.complain(why);
         }
         view.scroll.top = 0;
         self.open(Mode::Why);

@@ -40,6 +40,8 @@ pub struct Labelled {
     /// Of the other lumped model, the peak that belongs to that of finite elements, Hz
     pub beside_hz: Option<f64>,
     pub mode: Option<String>,
+    /// Level of finite elements at their peak, dB re 1 unit
+    pub fe_db: Option<f64>,
 }
 
 impl Labelled {
@@ -50,6 +52,12 @@ impl Labelled {
 }
 
 impl Findings {
+    /// The place of the highest peak of finite elements.
+    pub fn highest_peak(&self) -> Option<usize> {
+        let levels = self.peaks.iter().enumerate().filter_map(|(at, peak)| Some((at, peak.fe_db?)));
+        levels.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at)
+    }
+
     pub fn new(
         subject: &Subject,
         fe: &Curve,
@@ -87,7 +95,13 @@ impl Findings {
             let hz = pair.fe_hz.or(pair.lumped_hz)?;
             modes.behind_peak(parts, pair.fe_hz.is_none(), hz, lines).map(Mode::name)
         };
-        let labelled = |pair: PeakPair| Labelled { pair, beside_hz: beside_hz(&pair), mode: name(&pair) };
+        let fe_db = |pair: &PeakPair| {
+            let hz = pair.fe_hz?;
+            let at = lines.partition_point(|line| *line < hz);
+            fe.lines.get(at).map(|value| 20.0 * value.norm().log10())
+        };
+        let labelled =
+            |pair: PeakPair| Labelled { pair, beside_hz: beside_hz(&pair), mode: name(&pair), fe_db: fe_db(&pair) };
         let peaks = pairs.into_iter().map(labelled).collect();
         Self {
             against,

@@ -1,9 +1,9 @@
 //! All bearings of a design under load, a row each.
 //!
 //! ```text
-//!   bearing             mm  model        Fx N     Fy N     Fz N    |F| N    loaded   most N  angle deg
-//! ▌ pinion head bea   55.0  roller     -8,123   12,410    6,001   16,000  17 of 17    1,400       20.0
-//!   gear B1           85.0  diagonal        -        -        -        -         -        -          -
+//!   bearing             mm  model     load by     Fx N     Fy N     Fz N    |F| N    loaded   most N  angle deg
+//! ▌ pinion head bea   55.0  roller     torque   -8,123   12,410    6,001   16,000  17 of 17    1,400       20.0
+//!   gear B1           85.0  diagonal        -        -        -        -        -         -        -          -
 //! ```
 
 use ratatui::buffer::Buffer;
@@ -22,16 +22,17 @@ const NAME: usize = 15;
 /// A column: its heading, its width, and how soon it goes where there is little room (0 stays).
 struct Column(&'static str, usize, u8);
 
-const COLUMNS: [Column; 9] = [
+const COLUMNS: [Column; 10] = [
     Column("mm", 8, 2),
     Column("model", 10, 3),
+    Column("load by", 9, 6),
     Column("Fx N", 9, 0),
     Column("Fy N", 9, 0),
     Column("Fz N", 9, 0),
     Column("|F| N", 9, 1),
     Column("loaded", 10, 0),
-    Column("most N", 8, 4),
-    Column("angle deg", 11, 5),
+    Column("most N", 8, 5),
+    Column("angle deg", 11, 4),
 ];
 
 /// Draws heading and rows; the view's scroll follows the cursor. `failure` is why the design cannot be solved.
@@ -82,7 +83,7 @@ pub fn render(
 fn shown(width: usize) -> Vec<&'static Column> {
     let mut shown: Vec<&Column> = COLUMNS.iter().collect();
     let mut used: usize = shown.iter().map(|column| column.1).sum();
-    for soon in 1..=5 {
+    for soon in 1..=6 {
         if used + NAME + 3 > width {
             shown.retain(|column| column.2 != soon);
             used = shown.iter().map(|column| column.1).sum();
@@ -95,6 +96,7 @@ fn figure(column: &str, row: &BearingRow<'_>) -> String {
     match column {
         "mm" => return significant(row.bearing.position * 1e3, 4),
         "model" => return row.bearing.model.word().into(),
+        "load by" => return row.bearing.model.loaded_by().unwrap_or("-").into(),
         _ => {}
     }
     let Some(rolling) = row.rolling else { return "-".into() };

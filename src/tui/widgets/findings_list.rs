@@ -21,7 +21,7 @@ pub fn title(view: &SpectraView, theme: &Theme) -> Title<'static> {
     let plural = if count == 1 { "" } else { "s" };
     let against = crate::tui::spectra::legend_name(findings.against);
     let long = match view.listed {
-        Listed::Peaks => format!("{count} {word}{plural}, FE and {against}"),
+        Listed::Peaks => format!("{count} {word}{plural}, FE and {against}; * the highest"),
         _ => format!("{count} {word}{plural}, {against} off by >{} dB line by line", findings.tolerance),
     };
     Title { left: vec![long, format!("{count} {word}{plural}")], right: Vec::new() }
@@ -33,21 +33,20 @@ pub fn render(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut Buffer
     let width = usize::from(area.width);
     // a mode's name is worth more than the other model's peak
     let has_beside = width >= 60 && findings.beside.is_some();
-    let (head, rows, at): (String, Vec<String>, Option<usize>) = match view.listed {
-        Listed::Peaks => (
-            peak_heads(findings, has_beside),
-            findings.peaks.iter().enumerate().map(|(at, peak)| peak_row(at, peak, has_beside)).collect(),
-            view.peak_at(),
-        ),
+    // the row that is in sight, and whether the cursor is in it
+    let (head, rows, (near, at)): (String, Vec<String>, (Option<usize>, Option<usize>)) = match view.listed {
+        Listed::Peaks => {
+            (peak_heads(findings, has_beside), peak_rows(findings, has_beside), (view.peak_at(), view.peak_at()))
+        }
         _ => (
             " from Hz   to Hz  worst dB  mode".into(),
             findings.bands.iter().map(|band| band_row(band, findings.is_complete)).collect(),
-            view.band_at(),
+            (view.band_near(), view.band_under()),
         ),
     };
     buffer.set_stringn(area.x + 1, area.y, head, width.saturating_sub(1), theme.faint);
     let room = usize::from(area.height.saturating_sub(1));
-    let top = at.map_or(0, |at| at.saturating_sub(room.saturating_sub(1) / 2)).min(rows.len().saturating_sub(room));
+    let top = near.map_or(0, |at| at.saturating_sub(room.saturating_sub(1) / 2)).min(rows.len().saturating_sub(room));
     for ((place, row), y) in rows.iter().enumerate().skip(top).zip(area.y + 1..area.bottom()) {
         let is_here = Some(place) == at;
         let mark = if is_here { theme.glyphs.selected } else { " " };
@@ -78,10 +77,17 @@ fn peak_heads(findings: &Findings, has_beside: bool) -> String {
         kind => format!("{} Hz", crate::tui::spectra::legend_name(kind)),
     };
     let beside = findings.beside.filter(|_| has_beside).map_or(String::new(), |kind| format!("{:>9}", short(kind)));
-    format!(" #  FE Hz{:>8}   shift%    dB{beside}  mode", short(findings.against))
+    format!(" #  FE Hz{:>8}   shift%  FE dB  diff dB{beside}  mode", short(findings.against))
 }
 
-fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled, has_beside: bool) -> String {
+fn peak_rows(findings: &Findings, has_beside: bool) -> Vec<String> {
+    let highest = findings.highest_peak();
+    let row = |(at, peak)| peak_row(at, peak, Some(at) == highest, has_beside);
+    findings.peaks.iter().enumerate().map(row).collect()
+}
+
+fn peak_row(at: usize, peak: &Labelled, is_highest: bool, has_beside: bool) -> String {
+    let Labelled { pair, beside_hz, mode, fe_db } = peak;
     let hz = |hz: Option<f64>| hz.map_or_else(|| "-".into(), grouped);
     let signed =
         |value: Option<f64>, digits: usize| value.map_or_else(|| "-".into(), |value| format!("{value:+.digits$}"));
@@ -92,5 +98,7 @@ fn peak_row(at: usize, Labelled { pair, beside_hz, mode }: &Labelled, has_beside
     let (height, mode) = (signed(pair.height_db, 1), printable(mode.as_deref().unwrap_or("")));
     let (fe, lumped) = (hz(pair.fe_hz), hz(pair.lumped_hz));
     let beside = if has_beside { format!("{:>9}", hz(*beside_hz)) } else { String::new() };
-    format!("{:>2}{fe:>7}{lumped:>8}{shift:>9}{height:>6}{beside}  {mode}", at + 1)
+    let level = fe_db.map_or_else(|| "-".into(), |level| format!("{level:.1}"));
+    let mark = if is_highest { "*" } else { " " };
+    format!("{:>2}{fe:>7}{lumped:>8}{shift:>9}{level:>7}{mark}{height:>8}{beside}  {mode}", at + 1)
 }

@@ -11,7 +11,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::text_line::prompted;
 use crate::text::{cut, printable};
-use crate::tui::action::ACTIONS;
+use crate::tui::action::{ACTIONS, About, Action, Hint};
 use crate::tui::app::App;
 use crate::tui::keymap::Mode;
 use crate::tui::notice::NoticeKind;
@@ -72,12 +72,29 @@ fn line(app: &App) -> Option<(&'static str, &TextField)> {
     }
 }
 
+/// The hint of an action where it is; screens come first in the list that leads to them.
+fn hint_in(mode: Mode, about: &About) -> Option<Hint> {
+    let hint = |priority, text| Some(Hint { text, priority });
+    match (mode, about.action) {
+        (Mode::Library, Action::OpenSpectra) => hint(2, "wide"),
+        (Mode::Library, Action::BearingLoads) => hint(2, "bearings"),
+        (Mode::Library, Action::GearPair) => hint(2, "pair"),
+        (Mode::Library, Action::NewDesign) => hint(2, "new"),
+        (Mode::Library, Action::Help) => hint(3, "help"),
+        (Mode::Library, Action::Quit) => hint(4, "quit"),
+        (Mode::Spectra, Action::MoveLeft | Action::MoveRight) => hint(0, "cursor"),
+        // they go where the keys of bands and peaks go
+        (Mode::Spectra, Action::MoveUp | Action::MoveDown) => None,
+        _ => about.hint,
+    }
+}
+
 /// The hints that fit: chosen by priority, shown in that order.
 fn hints(app: &App, width: usize) -> Vec<(String, &'static str)> {
     let ascii = app.theme.glyphs.ascii;
     let mut wanted: Vec<(u8, String, &'static str)> = Vec::new();
     for about in ACTIONS {
-        let Some(hint) = about.hint.filter(|_| app.applies(about.action)) else { continue };
+        let Some(hint) = hint_in(app.mode, about).filter(|_| app.applies(about.action)) else { continue };
         let Some(key) = app.keys.of(app.mode, about.action, ascii).into_iter().next() else { continue };
         match wanted.iter_mut().find(|(_, _, text)| *text == hint.text) {
             Some((_, keys, _)) if key.chars().all(|arrow| "↑↓←→".contains(arrow)) => keys.push_str(&key),

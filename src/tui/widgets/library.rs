@@ -123,7 +123,7 @@ impl Widths {
         let ellipsis = theme.glyphs.ellipsis;
         let name = if row.unsaved {
             // the mark is never cut off
-            format!("{} *", cut(stem, self.name.saturating_sub(2), ellipsis))
+            format!("{} *", cut(stem, self.name.saturating_sub(3), ellipsis))
         } else {
             stem.to_owned()
         };
@@ -136,7 +136,9 @@ impl Widths {
                 };
                 let warned = row.warnings().next().is_some();
                 let limit = if warned { format!("! {limit}") } else { limit };
-                self.line(&name, &summary.fe_coordinates.to_string(), &limit, theme)
+                // figures and spectra of the list are those of the file
+                let coordinates = if row.unsaved { "saved".into() } else { summary.fe_coordinates.to_string() };
+                self.line(&name, &coordinates, &limit, theme)
             }
             RowState::Broken(broken) => self.broken(&name, &broken.one_line, theme),
             RowState::Unsolvable(message) => self.broken(&name, message.lines().next().unwrap_or_default(), theme),

@@ -30,11 +30,11 @@ const SMALL: u16 = 24;
 /// What the marks mean, the longest text first.
 pub fn legend(theme: &Theme) -> Vec<String> {
     let [towards, away, mesh, _] = marks(theme);
-    let forces = format!("force: a axial r radial t tangential, {towards} to you {away} away");
+    let forces = format!("a axial r radial t tangential on pinion, A R T on gear, {towards} to you {away} away");
     vec![
         format!("{forces}, {mesh} mesh point"),
         forces,
-        format!("a r t forces, {towards} to you, {away} away"),
+        format!("art pinion ART gear {towards} to you {away} away"),
         format!("{towards} to you {away} away"),
     ]
 }
@@ -55,8 +55,8 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
                 line(&mut canvas, map.dot(from.into()), map.dot(to.into()), dash, pen(role, theme));
             }
             Shape::Circle { centre, radius, role } => circle(&mut canvas, map, centre.into(), radius, pen(role, theme)),
-            Shape::Force { from, to, letter, .. } => {
-                let pen = Pen { style: theme.warning, letter };
+            Shape::Force { from, to, side, letter } => {
+                let pen = Pen { style: theme.warning, letter: of_side(letter, side) };
                 line(&mut canvas, map.dot(from.into()), map.dot(to.into()), (1, 0), pen);
             }
             _ => {}
@@ -90,9 +90,12 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
     }
     for shape in &scene.shapes {
         match *shape {
-            Shape::Force { from, to, letter, .. } => head(map, (from.into(), to.into()), letter, theme, buffer),
-            Shape::ForceAcross { at, letter, .. } if !is_small => {
+            Shape::Force { from, to, side, letter } => {
+                head(map, (from.into(), to.into()), of_side(letter, side), theme, buffer);
+            }
+            Shape::ForceAcross { at, side, letter, .. } if !is_small => {
                 let (x, y) = map.cell(at.into());
+                let letter = of_side(letter, side);
                 map.write((x + 1, y), letter.encode_utf8(&mut [0; 4]), theme.warning, buffer);
             }
             _ => {}
@@ -103,6 +106,14 @@ pub fn render(scene: &Scene, theme: &Theme, area: Rect, buffer: &mut Buffer) {
             let (x, y) = map.cell(at.into());
             put(buffer, x, y, mesh, theme.title);
         }
+    }
+}
+
+/// Forces on both members meet at the mesh point: those on the gear have capitals.
+fn of_side(letter: char, side: Side) -> char {
+    match side {
+        Side::Pinion => letter,
+        Side::Gear => letter.to_ascii_uppercase(),
     }
 }
 

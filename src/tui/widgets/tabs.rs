@@ -19,7 +19,8 @@ pub fn render(editing: &Editing, keys: &KeyNames<'_>, theme: &Theme, area: Rect,
     let line = |(longest, with_key): (usize, bool)| -> Vec<(String, bool)> {
         let tabs = Tab::ALL.into_iter().map(|tab| {
             let title = tab.title();
-            let title = if tab == now { title } else { &title[..title.len().min(longest)] };
+            // also of the one in sight: nothing moves when another is chosen
+            let title = &title[..title.len().min(longest)];
             let key = keys.key(tab.action()).filter(|_| with_key).map_or(String::new(), |key| format!("{key} "));
             let mark = editing.worst_in(tab).map_or("", |worst| severity_mark(worst, theme).0);
             (format!("{key}{title}{mark}"), tab == now)

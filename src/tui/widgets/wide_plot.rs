@@ -105,6 +105,7 @@ pub fn render_lower(view: &SpectraView, theme: &Theme, area: Rect, buffer: &mut 
         Range { low: drawn.lower_range.0, high: drawn.lower_range.1 }
     };
     draw_scale(range, levels, theme, plot, buffer);
+    draw_ends(range, theme, plot, buffer);
     draw_cursor(view, theme, plot, buffer);
     if view.lower == Lower::Difference {
         draw_differences(&drawn.difference, range, view.tolerance, theme, plot, buffer);
@@ -182,6 +183,22 @@ pub fn draw_scale(range: Range, levels: bool, theme: &Theme, plot: Rect, buffer:
     }
 }
 
+/// Both ends of a scale that has no room for more, beside what stands there.
+fn draw_ends(range: Range, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
+    const LOW: u16 = 4;
+    if plot.height > LOW || plot.height < 2 {
+        return;
+    }
+    for (y, value) in [(plot.top(), range.high), (plot.bottom() - 1, range.low)] {
+        let label = label(value);
+        let from = (plot.x - 1).saturating_sub(label.len() as u16);
+        let is_free = |x: u16| buffer.cell((x, y)).is_some_and(|cell| cell.symbol() == " ");
+        if (plot.x.saturating_sub(GUTTER)..plot.x - 1).all(is_free) {
+            buffer.set_stringn(from, y, label, usize::from(GUTTER - 1), theme.faint);
+        }
+    }
+}
+
 /// In four columns.
 fn label(value: f64) -> String {
     if value == 0.0 {
@@ -224,14 +241,18 @@ fn draw_cursor(view: &SpectraView, theme: &Theme, plot: Rect, buffer: &mut Buffe
     put(buffer, x, plot.top(), theme.glyphs.pointer, theme.title);
 }
 
-/// The mesh frequency and its harmonics by their numbers on the axis, as far as they have one digit and are apart.
+/// The mesh frequency and its harmonics as `1x`, `2x` on the axis, as far as they have one digit and are apart: bare numbers are peaks.
 fn draw_harmonics(view: &SpectraView, theme: &Theme, plot: Rect, buffer: &mut Buffer) {
     let Some((mesh, _)) = view.mesh_frequency() else { return };
     let mut free = plot.left();
     for order in 1..=9_u8 {
         let Some(x) = column(view, f64::from(order) * mesh, plot).filter(|x| *x >= free) else { continue };
+        if x + 1 >= plot.right() {
+            continue;
+        }
         put(buffer, x, plot.bottom(), char::from(b'0' + order), theme.title);
-        free = x + 2;
+        put(buffer, x + 1, plot.bottom(), 'x', theme.title);
+        free = x + 3;
     }
 }
 
