@@ -148,7 +148,7 @@ fn wrong_numbers_are_answered_with_what_is_wanted() {
         (&["mesh-stiffness", "--face-width-mm", "abc"], "wanted a length in mm, greater than 0, such as 21.59"),
         (
             &["mesh-stiffness", "--face-width-mm", "20", "--spiral-angle-deg", "-5"],
-            "the spiral angle must be from 0 to less than 90 deg",
+            "the spiral angle must be from 0 to 80 deg",
         ),
         (&["check", "designs", "--max-rms-db", "-1"], "wanted a number, not negative, such as 3"),
         (&["bands", "designs/overhung-rigid.toml", "--tolerance", "-1"], "wanted a number, not negative"),

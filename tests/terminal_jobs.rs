@@ -173,9 +173,9 @@ fn ascii_stays_ascii_whatever_the_curves_are_drawn_with() {
         terminal.press("q");
         terminal.wait_for_text("Designs 2 of 7");
         terminal.press("e");
-        terminal.wait_for_text("[F1 segments]");
+        terminal.wait_for_text("pinion segments");
         terminal.press("\x1bOQ");
-        terminal.wait_for_text("[F2 bearings]");
+        terminal.wait_for_text("pinion bearings");
         terminal.press("b");
         terminal.wait_for_text("curves: ASCII letters");
         terminal.press("?");

@@ -128,9 +128,9 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     let mut terminal = Terminal::program(&["--log", &named, &shown], &[]);
     terminal.wait_for_text(FRAME);
     terminal.press("e");
-    terminal.wait_for_text("[F1 segments]");
+    terminal.wait_for_text("pinion segments");
     terminal.press("\x1bOQ");
-    terminal.wait_for_text("[F2 bearings]");
+    terminal.wait_for_text("pinion bearings");
     terminal.press("lc0.0555\r");
     terminal.wait_for_text("a * ");
     terminal.press("s");
@@ -138,7 +138,7 @@ fn the_log_says_what_happened_and_nothing_of_the_designs() {
     // a variant follows
     terminal.press("\x1b");
     terminal.wait_for_text("Designs 1 of 3");
-    terminal.press("r2\r");
+    terminal.press("ra2\r");
     terminal.wait_for_text("1 variant follows");
     terminal.signal("TERM");
     assert_eq!(terminal.wait(LONG).exit_code(), 128 + 15);
@@ -197,9 +197,9 @@ fn a_copied_cell_goes_to_the_terminal_once() {
         let mut terminal = Terminal::program(&[DESIGNS], &[environment]);
         terminal.wait_for_text(FRAME);
         terminal.press("e");
-        terminal.wait_for_text("[F1 segments]");
+        terminal.wait_for_text("pinion segments");
         terminal.press("\x1bOQ");
-        terminal.wait_for_text("[F2 bearings]");
+        terminal.wait_for_text("pinion bearings");
         terminal.press("ly");
         terminal.wait_for_text("sent to terminal: 55.0 mm");
         terminal.press("q");

@@ -169,10 +169,10 @@ fn an_estimate_is_taken_only_when_it_is_asked_for() {
         "{shown}"
     );
     // the comment above the old number gives way to one that says where the new one comes from
-    let comment = "# estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, ";
-    let old = format!("{comment}21.59 mm, along the tooth normal\nstiffness_n_per_m = 6.4e8\n");
+    let comment = "# estimate: ISO 10300-1, method B, 20 N/(mm um) over the effective face width, 21.59 mm, along the tooth normal";
+    let old = format!("{comment}\nstiffness_n_per_m = 6.4e8\n");
     let sum = "20 N/(mm um) x 21.590 mm / cos^2(35.000 deg)";
-    let new = format!("stiffness_n_per_m = 6.435e8  {comment}along the tooth normal: {sum}\n");
+    let new = format!("stiffness_n_per_m = 6.435e8  # {}: {sum}\n", bevelscope::pair::METHOD);
     assert!(before.contains(&old));
     assert_eq!(text(&screen), before.replace(&old, &new));
     // it is solved like any edit

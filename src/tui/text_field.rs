@@ -202,7 +202,8 @@ mod tests {
 
     #[test]
     fn any_other_edit_keeps_a_proposal() {
-        let edits: [(fn(&mut TextField), &str); 8] = [
+        type Edit = (fn(&mut TextField), &'static str);
+        let edits: [Edit; 8] = [
             (TextField::left, "300.1-0"),
             (TextField::right, "300.01-"),
             (TextField::start, "1-300.0"),
