@@ -7,11 +7,10 @@ use bevelscope::design::library::SHIPPED;
 use bevelscope::design::read;
 use bevelscope::response::{EnergyShare, MotionGroup};
 use bevelscope::tui::caps::{Capabilities, ColourDepth};
-use bevelscope::tui::keymap::{BINDINGS, Mode};
+use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::message::{Effect, Message};
 use bevelscope::tui::modes::{self, ModesJob, Study, Wanted};
-use ratatui::crossterm::event::{KeyEvent, KeyModifiers};
-use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE};
+use tui_support::{ASCII, MadeUp, Screen, Shelf, UNICODE, dead_keys};
 
 const MONOCHROME: Capabilities = Capabilities { colour: ColourDepth::None, ..UNICODE };
 
@@ -120,20 +119,7 @@ fn figures_of_all_drives_and_both_energies_are_there_where_there_is_room() {
 /// A key that does nothing anywhere on the screen should not be in its help.
 #[test]
 fn every_key_of_the_screen_does_something() {
-    let mut dead = Vec::new();
-    for binding in BINDINGS.iter().filter(|binding| binding.modes.contains(&Mode::Modes)) {
-        let does = ["", "jjjj", "jjjjxl", "jjjjol", "jj<Tab><Tab>"].into_iter().any(|keys| {
-            let mut screen = modes(80, 24, UNICODE);
-            screen.keys(keys);
-            let before = (screen.text(), screen.effects.len());
-            let held = if binding.control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };
-            screen.send(Message::Key(KeyEvent::new(binding.code, held)));
-            (screen.text(), screen.effects.len()) != before
-        });
-        if !does {
-            dead.push(binding);
-        }
-    }
+    let dead = dead_keys(Mode::Modes, || modes(80, 24, UNICODE), &["", "jjjj", "jjjjxl", "jjjjol", "jj<Tab><Tab>"]);
     assert!(dead.is_empty(), "{dead:?}");
 }
 

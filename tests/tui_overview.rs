@@ -4,11 +4,9 @@
 mod tui_support;
 
 use bevelscope::tui::caps::{Capabilities, ColourDepth};
-use bevelscope::tui::keymap::{BINDINGS, Mode};
-use bevelscope::tui::message::Message;
+use bevelscope::tui::keymap::Mode;
 use bevelscope::tui::overview::Column;
-use ratatui::crossterm::event::{KeyEvent, KeyModifiers};
-use tui_support::{ASCII, Screen, Shelf, UNICODE};
+use tui_support::{ASCII, Screen, Shelf, UNICODE, dead_keys};
 
 const MONOCHROME: Capabilities = Capabilities { colour: ColourDepth::None, ..UNICODE };
 
@@ -105,20 +103,7 @@ fn spectra_have_a_scale_and_the_chosen_one_a_picture_where_there_is_room() {
 /// A key that does nothing anywhere on the screen should not be in its help.
 #[test]
 fn every_key_of_the_screen_does_something() {
-    let mut dead = Vec::new();
-    for binding in BINDINGS.iter().filter(|binding| binding.modes.contains(&Mode::Overview)) {
-        let does = ["O", "Ojjj", "OG", "Os"].into_iter().any(|keys| {
-            let mut screen = Screen::new(80, 24, UNICODE);
-            screen.keys(keys);
-            let before = (screen.text(), screen.effects.len());
-            let held = if binding.control { KeyModifiers::CONTROL } else { KeyModifiers::NONE };
-            screen.send(Message::Key(KeyEvent::new(binding.code, held)));
-            (screen.text(), screen.effects.len()) != before
-        });
-        if !does {
-            dead.push(binding);
-        }
-    }
+    let dead = dead_keys(Mode::Overview, || Screen::new(80, 24, UNICODE), &["O", "Ojjj", "OG", "Os"]);
     assert!(dead.is_empty(), "{dead:?}");
 }
 

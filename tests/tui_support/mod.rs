@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test uses its own part")]
 #![allow(clippy::unwrap_used, clippy::format_push_string, reason = "helpers of tests")]
 
+mod every_key;
 mod shelf;
 
 use std::collections::BTreeMap;
@@ -34,6 +35,8 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::style::{Color, Modifier};
 use unicode_width::UnicodeWidthStr;
 
+#[allow(unused_imports, reason = "each test uses its own part")]
+pub use every_key::dead_keys;
 #[allow(unused_imports, reason = "each test uses its own part")]
 pub use shelf::Shelf;
 
