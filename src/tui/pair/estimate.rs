@@ -79,11 +79,8 @@ impl App {
                 self.close_pair_form();
                 let design = self.editors.open().and_then(|editing| editing.last_design.as_ref());
                 let before = design.map_or(f64::NAN, |design| design.mesh.stiffness);
-                let effects = estimate.edit().map_or(Vec::new(), |edit| self.edit_pair(&edit));
-                if self.has_done() {
-                    self.say(format!("mesh stiffness {before:e} -> {} N/m (estimate)", estimate.written()));
-                }
-                effects
+                let done = |_: &str| format!("mesh stiffness {before:e} -> {} N/m (estimate)", estimate.written());
+                estimate.edit().map_or(Vec::new(), |edit| self.edit_pair_saying(&edit, done))
             }
             Err(error) => {
                 self.complain(error);

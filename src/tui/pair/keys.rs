@@ -77,20 +77,20 @@ impl App {
 
     /// Makes an edit, says so, and solves again.
     pub(super) fn edit_pair(&mut self, edit: &Edit) -> Vec<Effect> {
+        self.edit_pair_saying(edit, |name| format!("done: {name}"))
+    }
+
+    /// The same, with words of its own for what was done; they are given the edit's name.
+    pub(super) fn edit_pair_saying(&mut self, edit: &Edit, done: impl FnOnce(&str) -> String) -> Vec<Effect> {
         let Some(editing) = self.editors.open_mut() else { return Vec::new() };
         match editing.apply(edit) {
             Ok(applied) => {
                 let name = printable(applied.name.as_str()).into_owned();
-                self.say(if applied.changed { format!("done: {name}") } else { "as it was already".into() });
+                self.say(if applied.changed { done(&name) } else { "as it was already".into() });
             }
             Err(error) => self.complain(printable(&error.to_string())),
         }
         self.after_edit()
-    }
-
-    /// Whether the last edit was made.
-    pub(super) fn has_done(&self) -> bool {
-        self.notice.as_ref().is_some_and(|notice| notice.text.starts_with("done: "))
     }
 
     fn step_in_pair(&mut self, step: fn(&mut Editing)) -> Vec<Effect> {
@@ -114,11 +114,9 @@ impl App {
             Turns::Negative => "positive",
         };
         let path = KeyPath::root().key("mesh").key("geometry").key("pinion_turns");
-        let effects = self.edit_pair(&Edit::Set { path, value: Spelled::text(word) });
         let angle = significant(geometry.pressure_angle.to_degrees(), 3);
-        if self.has_done() {
-            self.say(format!("other flank; pressure angle as written, {angle} deg: write its own if it differs"));
-        }
-        effects
+        self.edit_pair_saying(&Edit::Set { path, value: Spelled::text(word) }, |_| {
+            format!("other flank; pressure angle as written, {angle} deg: write its own if it differs")
+        })
     }
 }
